@@ -1,0 +1,18 @@
+# SPDX-FileCopyrightText: 2026 The Grainproof authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Flags that every target of ours has. No contraction: the engines are compared bit by bit, so the
+# compiler may not fuse a multiplication and an addition where the source does not.
+add_library(grainproof_flags INTERFACE)
+target_include_directories(grainproof_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(grainproof_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off)
+if(GRAINPROOF_SANITIZE)
+  target_compile_options(grainproof_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined)
+  target_link_options(grainproof_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# One static library a folder: grainproof_library(NAME SOURCES … LINK …)
+function(grainproof_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_library(grainproof_${name} STATIC ${arg_SOURCES})
+  target_link_libraries(grainproof_${name} PUBLIC grainproof_flags ${arg_LINK})
+endfunction()

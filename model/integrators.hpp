@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace grainproof {
+
+/// Time integrators, defined by their equations in docs/laws/integrators.md.
+enum class Integrator {
+  euler_trapezoid,
+  euler_trapezoid_implicit_drag,
+  leapfrog_verlet,
+  velocity_verlet,
+};
+
+inline constexpr std::array<std::pair<std::string_view, Integrator>, 4> integrator_names{{
+    {"euler_trapezoid", Integrator::euler_trapezoid},
+    {"euler_trapezoid_implicit_drag", Integrator::euler_trapezoid_implicit_drag},
+    {"leapfrog_verlet", Integrator::leapfrog_verlet},
+    {"velocity_verlet", Integrator::velocity_verlet},
+}};
+
+constexpr std::string_view name_of(Integrator integrator) {
+  for (const auto& [name, value] : integrator_names)
+    if (value == integrator) return name;
+  return "unknown";
+}
+
+constexpr std::optional<Integrator> integrator_named(std::string_view wanted) {
+  for (const auto& [name, value] : integrator_names)
+    if (name == wanted) return value;
+  return std::nullopt;
+}
+
+}  // namespace grainproof
