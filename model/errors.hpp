@@ -19,8 +19,8 @@ class InputRefused : public std::runtime_error {
 /// A run went wrong; exit code 3. Thrown by Run::advance, turned into an Outcome by observe().
 class RunWentWrong : public std::runtime_error {
  public:
-  RunWentWrong(std::string cause, std::int64_t step, double time, std::vector<std::int64_t> particles)
-      : std::runtime_error(std::move(cause)), step(step), time(time), particles(std::move(particles)) {}
+  RunWentWrong(const std::string& cause, std::int64_t at_step, double at_time, std::vector<std::int64_t> ids)
+      : std::runtime_error(cause), step(at_step), time(at_time), particles(std::move(ids)) {}
 
   std::int64_t step;
   double time;  ///< s
