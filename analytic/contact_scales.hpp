@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <string>
+
+#include "model/laws.hpp"
+#include "model/scene.hpp"
+
+/// What a contact's parameters say before anything runs: masses, dashpots, durations, step limits.
+/// Equations in docs/laws/linear.md and docs/laws/integrators.md. SI throughout.
+namespace grainproof::analytic {
+
+/// ρ π d³/6.
+double sphere_mass(double density, double diameter);
+
+/// m1 m2/(m1 + m2); an infinite mass (fixed particle, wall) leaves the other.
+double effective_mass(double mass_1, double mass_2);
+
+/// η in N s/m (linear.3, linear.9). Throws InputRefused for a restitution outside [0, 1] and for
+/// restitution 0 with `no_tension`, which no finite dashpot reaches.
+double damping(const LinearNormal& law, double mass);
+
+/// Rebound of a contact whose dashpot may pull (linear.5); 0 where critically or over-damped.
+double restitution_of(double damping, double stiffness, double mass);
+
+/// Rebound of a contact that ends when its force falls to zero (linear.8). Schwager & Pöschel 2007.
+double no_tension_restitution_of(double damping, double stiffness, double mass);
+
+/// Time scale of a contact (linear.6): π/ω_d, or π sqrt(m/k) where critically or over-damped.
+double contact_duration(double stiffness, double damping, double mass);
+
+/// The shortest time scale of a scene and the pair that has it.
+struct ContactScale {
+  double duration;        ///< s
+  double effective_mass;  ///< kg
+  double stiffness;       ///< N/m
+  double damping;         ///< N s/m
+  std::string between;    ///< "glass and glass", "glass and wall floor"
+};
+
+/// Smallest `contact_duration` over the lightest pair of every two materials present and over the
+/// lightest sphere against every wall; none where nothing can touch.
+std::optional<ContactScale> shortest_contact(const Scene& scene);
+
+/// A step must stay below `step`; infinity where nothing limits it.
+struct StepLimit {
+  double step;          ///< s
+  std::string because;  ///< which contact or particle, and which condition
+};
+
+/// Largest stable step of one sustained linear contact, with drag of rate 1/τ on it (integrators.7
+/// to 9). 0: unstable at every step. Infinity: stable at every step. Stiffness 0 leaves drag alone.
+double pair_stability_limit(Integrator integrator, double mass, double stiffness, double damping,
+                            double drag_rate = 0.0);
+
+/// Largest step at which static friction creeps to rest rather than chatters at the Coulomb limit
+/// (integrators.10); infinity for laws without a static branch.
+double creep_limit(Integrator integrator, double mass, const LinearNormal& normal,
+                   const FrictionLaw& friction, double drag_rate = 0.0);
+
+/// The smallest limit over the pairs of `shortest_contact`, their friction, and drag. Each contact is
+/// taken alone: a particle with many contacts is stiffer, and no allowance is made for that yet.
+StepLimit stability_limit(const Scene& scene);
+
+}  // namespace grainproof::analytic
