@@ -80,4 +80,7 @@ class SteppingEngine : public Engine {
 /// Index of the first step boundary at or after `time`, forgiving round-off of a billionth of a step.
 std::int64_t step_at_or_after(double time, double step);
 
+/// The steps whose frames a request asks for, increasing; the first is 0.
+std::vector<std::int64_t> sample_steps(const Scene& scene, const Request& request);
+
 }  // namespace grainproof

@@ -9,22 +9,6 @@
 namespace grainproof {
 namespace {
 
-std::vector<std::int64_t> sample_steps(const Scene& scene, const Request& request) {
-  std::vector<std::int64_t> steps;
-  if (request.every_step) {
-    const std::int64_t last = step_at_or_after(scene.run.end, scene.run.step);
-    for (std::int64_t n = 0; n <= last; ++n) steps.push_back(n);
-    return steps;
-  }
-  const auto& times = request.times.empty() ? scene.run.sample_times : request.times;
-  steps.push_back(0);
-  for (double time : times) {
-    const std::int64_t n = step_at_or_after(time, scene.run.step);
-    if (n > steps.back()) steps.push_back(n);
-  }
-  return steps;
-}
-
 void record_frames(Run& run, std::span<const std::int64_t> steps, Observations& seen) {
   std::int64_t done = 0;
   for (std::int64_t n : steps) {
@@ -39,6 +23,22 @@ void record_frames(Run& run, std::span<const std::int64_t> steps, Observations& 
 
 std::int64_t step_at_or_after(double time, double step) {
   return static_cast<std::int64_t>(std::ceil(time / step - 1e-9));
+}
+
+std::vector<std::int64_t> sample_steps(const Scene& scene, const Request& request) {
+  std::vector<std::int64_t> steps;
+  if (request.every_step) {
+    const std::int64_t last = step_at_or_after(scene.run.end, scene.run.step);
+    for (std::int64_t n = 0; n <= last; ++n) steps.push_back(n);
+    return steps;
+  }
+  const auto& times = request.times.empty() ? scene.run.sample_times : request.times;
+  steps.push_back(0);
+  for (double time : times) {
+    const std::int64_t n = step_at_or_after(time, scene.run.step);
+    if (n > steps.back()) steps.push_back(n);
+  }
+  return steps;
 }
 
 std::vector<Observations> Engine::observe_all(std::span<const Scene> scenes, const Request& request) {
