@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/resources.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "model/errors.hpp"
+
+namespace grainproof::app {
+namespace fs = std::filesystem;
+namespace {
+
+bool holds_data(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(folder / "kernels", ignored) && fs::is_directory(folder / "scenes", ignored);
+}
+
+fs::path named_by_environment(const char* named) {
+  if (holds_data(named)) return fs::absolute(named);
+  throw InputRefused("GRAINPROOF_DATA is " + std::string(named) + "; expected a folder with kernels/ and scenes/");
+}
+
+}  // namespace
+
+fs::path data_root() {
+  if (const char* named = std::getenv("GRAINPROOF_DATA"); named != nullptr && *named != '\0')
+    return named_by_environment(named);
+  const fs::path executable = fs::read_symlink("/proc/self/exe");
+  const fs::path installed = executable.parent_path().parent_path() / "share" / "grainproof";
+  if (holds_data(installed)) return installed;
+  for (fs::path above = executable.parent_path(); above != above.root_path(); above = above.parent_path())
+    if (holds_data(above)) return above;
+  throw InputRefused("no folder with kernels/ and scenes/ beside or above " + executable.string() +
+                     "; set GRAINPROOF_DATA to the one to use");
+}
+
+std::vector<fs::path> known_cases(const fs::path& root) {
+  std::vector<fs::path> cases;
+  for (const auto& entry : fs::directory_iterator(root / "scenes"))
+    if (entry.path().extension() == ".toml") cases.push_back(entry.path());
+  std::sort(cases.begin(), cases.end());
+  return cases;
+}
+
+fs::path find_case(const fs::path& root, const std::string& name_or_path) {
+  if (fs::is_regular_file(name_or_path)) return name_or_path;
+  const fs::path named = root / "scenes" / (name_or_path + ".toml");
+  if (name_or_path.find('/') == std::string::npos && fs::is_regular_file(named)) return named;
+  std::string known;
+  for (const fs::path& path : known_cases(root)) known += " " + path.stem().string();
+  throw InputRefused("no case " + name_or_path + "; expected a scene file or one of:" + known);
+}
+
+}  // namespace grainproof::app

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/run_summary.hpp"
+
+#include <sstream>
+
+#include "report/numbers.hpp"
+
+namespace grainproof::report {
+namespace {
+
+using nlohmann::json;
+
+json vector_json(const Vec3& value) { return {value.x(), value.y(), value.z()}; }
+
+json ledger_json(const Ledger& ledger) {
+  return {{"kinetic", ledger.kinetic},
+          {"elastic", ledger.elastic},
+          {"cohesive", ledger.cohesive},
+          {"gravity_work", ledger.gravity_work},
+          {"drag_work", ledger.drag_work},
+          {"dissipated_normal", ledger.dissipated_normal},
+          {"dissipated_tangential", ledger.dissipated_tangential},
+          {"balance", ledger.balance()},
+          {"support_impulse", vector_json(ledger.support_impulse)},
+          {"field_impulse", vector_json(ledger.field_impulse)}};
+}
+
+json ledgers_json(const Observations& seen) {
+  if (!seen.initial_ledger || !seen.final_ledger) return nullptr;
+  return {{"initial", ledger_json(*seen.initial_ledger)},
+          {"final", ledger_json(*seen.final_ledger)},
+          {"drift", seen.final_ledger->balance() - seen.initial_ledger->balance()}};
+}
+
+json outcome_json(const Outcome& outcome) {
+  if (outcome.status == Outcome::Status::completed) return {{"status", "completed"}};
+  return {{"status", "went_wrong"},
+          {"reason", outcome.reason},
+          {"step", outcome.step},
+          {"time", outcome.time},
+          {"particles", outcome.particles}};
+}
+
+double loop_seconds(const Observations& seen) {
+  return seen.counters.step_loop_wall_s > 0.0 ? seen.counters.step_loop_wall_s : seen.wall_s;
+}
+
+std::string contacts_text(const RunSummary& summary) {
+  return grouped(summary.contacts.pairs) + " between particles, " + grouped(summary.contacts.walls) +
+         " with walls, in the last frame";
+}
+
+void energy_lines(const Observations& seen, std::ostringstream& text) {
+  if (!seen.initial_ledger || !seen.final_ledger) return;
+  const Ledger& last = *seen.final_ledger;
+  text << "  energy         kinetic " << brief(last.kinetic) << " J, elastic " << brief(last.elastic)
+       << " J, dissipated " << brief(last.dissipated_normal + last.dissipated_tangential)
+       << " J; the ledger drifted by " << brief(last.balance() - seen.initial_ledger->balance()) << " J\n";
+}
+
+}  // namespace
+
+double cundall_number(const RunSummary& summary, const Observations& seen) {
+  const double seconds = loop_seconds(seen);
+  return seconds > 0.0 ? static_cast<double>(summary.particles * seen.counters.steps) / seconds : 0.0;
+}
+
+json machine_json(const Machine& machine) {
+  return {{"system", machine.system},   {"processor", machine.processor},
+          {"threads", machine.threads}, {"memory_bytes", machine.memory_bytes},
+          {"compiler", machine.compiler}, {"grainproof", machine.version}};
+}
+
+json provenance_json(const Provenance& provenance) {
+  return {{"engine", provenance.engine},   {"precision", provenance.precision}, {"device", provenance.device},
+          {"version", provenance.version}, {"variant", provenance.variant}};
+}
+
+json summary_json(const RunSummary& summary, const Observations& seen, const Machine& machine) {
+  return {{"schema", 1},
+          {"scene", summary.scene},
+          {"outcome", outcome_json(seen.outcome)},
+          {"particles", summary.particles},
+          {"step", summary.step},
+          {"steps", seen.counters.steps},
+          {"frames", summary.frames},
+          {"wall_s", seen.wall_s},
+          {"step_loop_wall_s", seen.counters.step_loop_wall_s},
+          {"cundall_number", cundall_number(summary, seen)},
+          {"ledger", ledgers_json(seen)},
+          {"rebuilds", seen.counters.list_rebuilds},
+          {"listed_pairs", seen.counters.listed_pairs},
+          {"contacts", summary.contacts.pairs},
+          {"wall_contacts", summary.contacts.walls},
+          {"scalars", seen.scalars},
+          {"peak_memory_bytes", summary.peak_memory},
+          {"provenance", provenance_json(seen.provenance)},
+          {"machine", machine_json(machine)}};
+}
+
+std::string summary_text(const RunSummary& summary, const Observations& seen, const Paint& paint) {
+  const Provenance& from = seen.provenance;
+  std::ostringstream text;
+  text << paint.bold(summary.scene) << " on " << from.engine
+       << (from.precision.empty() ? "" : ", " + from.precision + " precision")
+       << (from.device.empty() ? "" : ", " + from.device) << "\n"
+       << "  particles      " << grouped(summary.particles) << "\n"
+       << "  steps          " << grouped(seen.counters.steps) << " of " << brief(summary.step) << " s\n"
+       << "  wall time      " << duration(seen.wall_s) << ", " << brief(cundall_number(summary, seen))
+       << " particle-steps a second\n"
+       << "  contacts       " << contacts_text(summary) << "\n"
+       << "  list rebuilds  " << grouped(seen.counters.list_rebuilds) << "\n";
+  for (const auto& [name, value] : seen.scalars) text << "  " << name << "  " << exact(value) << "\n";
+  energy_lines(seen, text);
+  text << "  peak memory    " << brief(static_cast<double>(summary.peak_memory) / 1048576.0) << " MiB\n";
+  return text.str();
+}
+
+}  // namespace grainproof::report

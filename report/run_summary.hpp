@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "model/observations.hpp"
+#include "model/scene.hpp"
+#include "report/contacts.hpp"
+#include "report/machine.hpp"
+#include "report/text_table.hpp"
+
+namespace grainproof::report {
+
+/// What `run` has to tell about one run of one scene.
+struct RunSummary {
+  std::string scene;  ///< the file's name
+  std::int64_t particles = 0;
+  std::int64_t frames = 0;
+  double step = 0.0;  ///< s
+  ContactCount contacts;
+  std::int64_t peak_memory = 0;  ///< bytes
+};
+
+/// Particles times steps per second of wall time in the step loop.
+double cundall_number(const RunSummary& summary, const Observations& seen);
+
+/// docs/results.md, summary.json.
+nlohmann::json summary_json(const RunSummary& summary, const Observations& seen, const Machine& machine);
+
+/// The same for a person, a few aligned lines.
+std::string summary_text(const RunSummary& summary, const Observations& seen, const Paint& paint);
+
+nlohmann::json machine_json(const Machine& machine);
+nlohmann::json provenance_json(const Provenance& provenance);
+
+}  // namespace grainproof::report
