@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "input/set_up.hpp"
+
+/// Places for many particles at once: the `fill` of a [[particles]] table.
+namespace grainproof::input {
+
+/// What a fill gives for one particle; what it doesn't give comes from the table around it.
+struct Filled {
+  Vec3 position;
+  std::optional<Vec3> velocity;
+  std::optional<std::int64_t> id;
+};
+
+/// `largest`: the most particles that may be made. `scene` holds what stands there already.
+std::vector<Filled> fill_lattice(const Table& table, double diameter, std::size_t largest);
+std::vector<Filled> fill_random(const Table& table, double diameter, const Scene& scene, std::size_t largest);
+std::vector<Filled> fill_from_file(const Table& table, const std::filesystem::path& folder,
+                                   std::size_t largest);
+
+/// Whole numbers that a double, and so JSON, holds exactly.
+constexpr std::int64_t largest_id = std::int64_t{1} << 53;
+constexpr std::int64_t largest_seed = std::int64_t{1} << 53;
+
+}  // namespace grainproof::input

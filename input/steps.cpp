@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/steps.hpp"
+
+#include <cmath>
+
+#include "analytic/contact_scales.hpp"
+#include "input/text.hpp"
+
+namespace grainproof::input {
+namespace {
+
+/// A run of more steps is a mistake of units: no machine finishes it.
+constexpr double most_steps = 1e15;
+constexpr double most_frames = 1e6;
+
+}  // namespace
+
+std::optional<double> shortest_contact_of(const Scene& scene) {
+  const auto shortest = analytic::shortest_contact(scene);
+  return shortest ? std::optional(shortest->duration) : std::nullopt;
+}
+
+double resolved_step(const StepWish& wish, double dither, const std::optional<double>& contact) {
+  if (wish.seconds > 0.0) return wish.seconds;
+  if (!contact) wish.place.refuse("seconds, since nothing in this scene can touch");
+  const double step = *contact / (wish.steps_per_contact + dither);
+  if (!(step > 0.0 && std::isfinite(step)))
+    wish.place.refuse("a contact of " + shortest(*contact) + " s", "one that a step can resolve");
+  return step;
+}
+
+StabilityGuard::StabilityGuard(const SetUp& set_up, bool force) : open_(force || set_up.beyond_stability) {
+  if (open_) return;
+  const analytic::StepLimit limit = analytic::stability_limit(set_up.scene);
+  limit_ = limit.step;
+  because_ = limit.because;
+}
+
+void StabilityGuard::check(double step, const Node& place) const {
+  if (open_ || step <= limit_) return;
+  place.refuse("a step of " + shortest(step) + " s above the stability limit",
+               "at most " + shortest(limit_) + " s (" + because_ +
+                   "); run.beyond_stability = true or --force permits it");
+}
+
+std::vector<double> sample_times(const RecordWish& wish, double end, double step, const Node& place) {
+  if (!(end / step <= most_steps)) place.refuse("a run of " + shortest(end / step) + " steps", "up to 1e15");
+  double interval = wish.amount;
+  if (wish.kind == RecordWish::Kind::steps) interval = wish.amount * step;
+  if (wish.kind == RecordWish::Kind::frames) interval = end / wish.amount;
+  if (!(end / interval <= most_frames)) place.refuse("more than a million frames", "a longer run.record");
+  std::vector<double> times;
+  for (std::size_t i = 0; static_cast<double>(i) * interval < end * (1.0 - 1e-9); ++i)
+    times.push_back(static_cast<double>(i) * interval);
+  times.push_back(end);
+  return times;
+}
+
+}  // namespace grainproof::input

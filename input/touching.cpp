@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "input/sphere_grid.hpp"
+#include "input/transforms.hpp"
+
+namespace grainproof::input {
+namespace {
+
+/// Of the distance: positions are written in decimals, so surfaces meet to round-off only.
+constexpr double touching = 1e-9;
+
+double reach_of(const Particle& particle, Onset::Surface surface) {
+  return 0.5 * (surface == Onset::Surface::body ? particle.diameter : particle.effect_diameter);
+}
+
+bool touch(double distance, double reach) {
+  return std::abs(distance - reach) <= touching * reach;
+}
+
+bool touches_wall(const Scene& scene, const Particle& particle, Onset::Surface surface) {
+  return std::any_of(scene.walls.begin(), scene.walls.end(), [&](const Wall& wall) {
+    return touch(distance_to(wall.shape, particle.position), reach_of(particle, surface));
+  });
+}
+
+bool any_pair_touches(const Scene& scene, Onset::Surface surface) {
+  double largest = 0.0;
+  for (const Particle& particle : scene.particles) largest = std::max(largest, reach_of(particle, surface));
+  SphereGrid grid(scene.domain, 2.0 * (1.0 + touching) * largest, scene.particles.size());
+  bool found = false;
+  for (std::size_t i = 0; i < scene.particles.size() && !found; ++i) {
+    const Particle& one = scene.particles[i];
+    grid.for_each_near(one.position, [&](std::size_t j) {
+      const Particle& other = scene.particles[j];
+      const double distance = nearest_image(scene.domain, one.position, other.position).norm();
+      found = found || touch(distance, reach_of(one, surface) + reach_of(other, surface));
+    });
+    grid.insert(i, one.position);
+  }
+  return found;
+}
+
+}  // namespace
+
+void check_touching(const Scene& scene, const Onset& onset) {
+  for (const Particle& particle : scene.particles)
+    if (!particle.fixed && touches_wall(scene, particle, onset.at)) return;
+  if (!scene.particles.empty() && any_pair_touches(scene, onset.at)) return;
+  onset.place.refuse("onset in a scene where no surfaces touch at the start",
+                     std::string(onset.at == Onset::Surface::body ? "body" : "effect") +
+                         " surfaces that touch, to 1e-9 of their distance");
+}
+
+}  // namespace grainproof::input
