@@ -22,7 +22,9 @@ std::string bar(double share) {
 
 }  // namespace
 
-void Progress::begin() { began_ = Clock::now(); }
+void Progress::begin() {
+  began_ = Clock::now();
+}
 
 void Progress::show(const std::string& what, double share) {
   const auto now = Clock::now();
@@ -30,7 +32,8 @@ void Progress::show(const std::string& what, double share) {
   const double done = std::clamp(share, 0.0, 1.0);
   const double spent = std::chrono::duration<double>(now - began_).count();
   stream_ << "\r\033[K" << bar(done) << " " << std::lround(100.0 * done) << " %  " << what;
-  if (done > 0.01 && spent > 1.0) stream_ << ", " << report::duration(spent * (1.0 - done) / done) << " to go";
+  if (done > 0.01 && spent > 1.0)
+    stream_ << ", " << report::duration(spent * (1.0 - done) / done) << " to go";
   stream_ << std::flush;
   shown_ = true;
   last_ = now;

@@ -19,7 +19,8 @@ bool holds_data(const fs::path& folder) {
 
 fs::path named_by_environment(const char* named) {
   if (holds_data(named)) return fs::absolute(named);
-  throw InputRefused("GRAINPROOF_DATA is " + std::string(named) + "; expected a folder with kernels/ and scenes/");
+  throw InputRefused("GRAINPROOF_DATA is " + std::string(named) +
+                     "; expected a folder with kernels/ and scenes/");
 }
 
 }  // namespace

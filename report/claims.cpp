@@ -91,9 +91,12 @@ Verdict worst(const std::vector<Row>& rows) {
 
 std::string_view name_of(Statistic statistic) {
   switch (statistic) {
-    case Statistic::maximum: return "maximum";
-    case Statistic::rms: return "rms";
-    case Statistic::mean: return "mean";
+    case Statistic::maximum:
+      return "maximum";
+    case Statistic::rms:
+      return "rms";
+    case Statistic::mean:
+      return "mean";
   }
   return "unknown";
 }

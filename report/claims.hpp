@@ -14,9 +14,9 @@ namespace grainproof::report {
 struct Line {
   std::string engine;
   std::string integrator;
-  std::string set_up;         ///< the other swept keys, "offset 1, orientation 3"; mostly empty
-  std::vector<Row> steps;     ///< a row a step, in the order of the sweep
-  std::optional<Row> order;   ///< the row of the measured order
+  std::string set_up;        ///< the other swept keys, "offset 1, orientation 3"; mostly empty
+  std::vector<Row> steps;    ///< a row a step, in the order of the sweep
+  std::optional<Row> order;  ///< the row of the measured order
 
   Verdict verdict() const;
   /// Smallest tolerance/error over the steps; nothing where no step has both.

@@ -22,7 +22,8 @@ struct Grid {
 
   Grid(const Domain& box, double diameter) : domain(box) {
     for (int axis = 0; axis < 3; ++axis) {
-      cells[axis] = std::clamp<std::int64_t>(std::llround(std::floor(box.extent()[axis] / diameter)), 1, 1 << 20);
+      cells[axis] =
+          std::clamp<std::int64_t>(std::llround(std::floor(box.extent()[axis] / diameter)), 1, 1 << 20);
       width[axis] = box.extent()[axis] / static_cast<double>(cells[axis]);
     }
   }
@@ -58,7 +59,9 @@ Vec3 nearest_image(const Domain& domain, Vec3 difference) {
   return difference;
 }
 
-double distance(const Plane& plane, const Vec3& position) { return (position - plane.point).dot(plane.normal); }
+double distance(const Plane& plane, const Vec3& position) {
+  return (position - plane.point).dot(plane.normal);
+}
 
 double distance(const Rectangle& rectangle, const Vec3& position) {
   return (position - position.cwiseMax(rectangle.lower).cwiseMin(rectangle.upper)).norm();

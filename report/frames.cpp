@@ -38,9 +38,10 @@ std::string point_data(const Scene& scene, const Frame& frame) {
     diameters += exact(particle.diameter) + "\n";
   }
   return "<PointData Vectors=\"velocity\" Scalars=\"diameter\">\n" +
-         array_text(R"(type="Float64" Name="velocity" NumberOfComponents="3")", vectors_text(frame.velocity)) +
-         array_text(R"(type="Int64" Name="id")", ids) + array_text(R"(type="Float64" Name="diameter")", diameters) +
-         "</PointData>\n";
+         array_text(R"(type="Float64" Name="velocity" NumberOfComponents="3")",
+                    vectors_text(frame.velocity)) +
+         array_text(R"(type="Int64" Name="id")", ids) +
+         array_text(R"(type="Float64" Name="diameter")", diameters) + "</PointData>\n";
 }
 
 // One vertex cell a particle, so that filters which work on cells see them too.

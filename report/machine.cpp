@@ -29,8 +29,9 @@ std::string processor_name() {
 
 Machine this_machine() {
   const std::int64_t pages = sysconf(_SC_PHYS_PAGES);
-  return {system_name(), processor_name(), std::thread::hardware_concurrency(), pages * sysconf(_SC_PAGESIZE),
-          __VERSION__, GRAINPROOF_VERSION};
+  return {
+      system_name(), processor_name(),  std::thread::hardware_concurrency(), pages * sysconf(_SC_PAGESIZE),
+      __VERSION__,   GRAINPROOF_VERSION};
 }
 
 std::int64_t peak_memory_bytes() {

@@ -8,12 +8,12 @@ namespace grainproof::report {
 
 /// Where results were obtained.
 struct Machine {
-  std::string system;     ///< kernel name and release
+  std::string system;  ///< kernel name and release
   std::string processor;
   unsigned threads = 0;
   std::int64_t memory_bytes = 0;
-  std::string compiler;   ///< of this program
-  std::string version;    ///< of this program
+  std::string compiler;  ///< of this program
+  std::string version;   ///< of this program
 };
 
 Machine this_machine();

@@ -11,7 +11,9 @@ namespace {
 
 using nlohmann::json;
 
-json vector_json(const Vec3& value) { return {value.x(), value.y(), value.z()}; }
+json vector_json(const Vec3& value) {
+  return {value.x(), value.y(), value.z()};
+}
 
 json ledger_json(const Ledger& ledger) {
   return {{"kinetic", ledger.kinetic},
@@ -67,14 +69,17 @@ double cundall_number(const RunSummary& summary, const Observations& seen) {
 }
 
 json machine_json(const Machine& machine) {
-  return {{"system", machine.system},   {"processor", machine.processor},
-          {"threads", machine.threads}, {"memory_bytes", machine.memory_bytes},
+  return {{"system", machine.system},     {"processor", machine.processor},
+          {"threads", machine.threads},   {"memory_bytes", machine.memory_bytes},
           {"compiler", machine.compiler}, {"grainproof", machine.version}};
 }
 
 json provenance_json(const Provenance& provenance) {
-  return {{"engine", provenance.engine},   {"precision", provenance.precision}, {"device", provenance.device},
-          {"version", provenance.version}, {"variant", provenance.variant}};
+  return {{"engine", provenance.engine},
+          {"precision", provenance.precision},
+          {"device", provenance.device},
+          {"version", provenance.version},
+          {"variant", provenance.variant}};
 }
 
 json summary_json(const RunSummary& summary, const Observations& seen, const Machine& machine) {

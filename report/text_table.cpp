@@ -32,7 +32,8 @@ std::vector<std::size_t> TextTable::widths() const {
   return widths;
 }
 
-std::string TextTable::line(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) const {
+std::string TextTable::line(const std::vector<std::string>& cells,
+                            const std::vector<std::size_t>& widths) const {
   std::string text;
   for (std::size_t i = 0; i < std::min(cells.size(), widths.size()); ++i) {
     const std::string blanks(widths[i] - shown_width(cells[i]), ' ');

@@ -22,9 +22,12 @@ std::vector<std::string> shown_steps(const std::vector<std::string>& steps) {
 
 std::string painted(Verdict verdict, const Paint& paint) {
   switch (verdict) {
-    case Verdict::pass: return paint.green("pass");
-    case Verdict::fail: return paint.red("FAIL");
-    case Verdict::unsupported: return paint.yellow("unsupported");
+    case Verdict::pass:
+      return paint.green("pass");
+    case Verdict::fail:
+      return paint.red("FAIL");
+    case Verdict::unsupported:
+      return paint.yellow("unsupported");
   }
   return "";
 }
@@ -35,7 +38,9 @@ std::string error_at(const Line& line, const std::string& step) {
   return "–";
 }
 
-std::string order_text(const Line& line) { return line.order && line.order->order ? brief(*line.order->order) : "–"; }
+std::string order_text(const Line& line) {
+  return line.order && line.order->order ? brief(*line.order->order) : "–";
+}
 
 std::string expected_order_text(const Line& line) {
   if (!line.order || !line.order->order_expected) return "–";
@@ -50,11 +55,13 @@ std::string margin_text(const Line& line) {
 }
 
 bool any_order(const Claim& claim) {
-  return std::any_of(claim.lines.begin(), claim.lines.end(), [](const Line& line) { return line.order.has_value(); });
+  return std::any_of(claim.lines.begin(), claim.lines.end(),
+                     [](const Line& line) { return line.order.has_value(); });
 }
 
 bool any_set_up(const Claim& claim) {
-  return std::any_of(claim.lines.begin(), claim.lines.end(), [](const Line& line) { return !line.set_up.empty(); });
+  return std::any_of(claim.lines.begin(), claim.lines.end(),
+                     [](const Line& line) { return !line.set_up.empty(); });
 }
 
 std::vector<Column> columns_of(const Claim& claim, const std::vector<std::string>& steps) {
@@ -92,8 +99,8 @@ std::string where_text(const Row& row) {
 std::string expected_text(const Row& row) {
   if (row.order_expected)
     return "measured order " + (row.order ? brief(*row.order) : "none") + " of " + row.quantity + " from " +
-           row.order_expected->from + " to " + row.order_expected->to + ", expected " + brief(row.order_expected->is) +
-           " ± " + brief(row.order_expected->within);
+           row.order_expected->from + " to " + row.order_expected->to + ", expected " +
+           brief(row.order_expected->is) + " ± " + brief(row.order_expected->within);
   std::string text = row.quantity.empty() ? "" : row.quantity;
   if (!row.against.empty()) text += " against " + row.against;
   return text + ": error " + brief(row.error) + ", expected at most " + brief(row.tolerance);
@@ -123,8 +130,9 @@ std::string cell_text(const std::vector<Row>& rows, const Paint& paint) {
 std::string counts_text(const std::vector<Row>& rows, double wall_s, const Paint& paint) {
   const std::size_t failed = count(rows, Verdict::fail);
   const std::string failures = std::to_string(failed) + " failed";
-  return std::to_string(count(rows, Verdict::pass)) + " passed, " + (failed > 0 ? paint.red(failures) : failures) +
-         ", " + std::to_string(count(rows, Verdict::unsupported)) + " not supported; " + duration(wall_s) + "\n";
+  return std::to_string(count(rows, Verdict::pass)) + " passed, " +
+         (failed > 0 ? paint.red(failures) : failures) + ", " +
+         std::to_string(count(rows, Verdict::unsupported)) + " not supported; " + duration(wall_s) + "\n";
 }
 
 }  // namespace
@@ -134,7 +142,8 @@ std::string case_text(const std::vector<Row>& rows, const std::string& case_titl
   std::string text = paint.bold(all.name) + (case_title.empty() ? "" : "  " + case_title) + "  " +
                      painted(worst(rows), paint) + "\n";
   for (const Claim& claim : all.claims) text += claim_text(claim, paint);
-  for (const std::string& line : all.unsupported) text += "  " + paint.yellow("not supported") + "  " + line + "\n";
+  for (const std::string& line : all.unsupported)
+    text += "  " + paint.yellow("not supported") + "  " + line + "\n";
   return text + "\n";
 }
 
@@ -146,7 +155,8 @@ std::string failures_text(const std::vector<Row>& rows, const Paint& paint) {
     text << paint.red("FAIL") << "  " << where_text(row) << "\n      " << expected_text(row) << "\n";
     if (!row.reason.empty()) text << "      " << row.reason << "\n";
   }
-  if (shown > most_failures_shown) text << "… and " << shown - most_failures_shown << " more; --json has them all\n";
+  if (shown > most_failures_shown)
+    text << "… and " << shown - most_failures_shown << " more; --json has them all\n";
   return text.str();
 }
 

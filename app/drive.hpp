@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+
+#include "app/progress.hpp"
+#include "model/engine.hpp"
+
+namespace grainproof::app {
+
+using FrameSink = std::function<void(const Frame&)>;
+
+/// Observes a scene and gives each frame to `sink` as it comes; the observations hold no frame but the
+/// last. An engine that steps shows its progress. When such a run goes wrong early enough, the last good
+/// state is found again by repeating it up to the step before, and is given to `sink` too.
+Observations drive(Engine& engine, const Scene& scene, const Request& request, Progress& progress,
+                   const FrameSink& sink);
+
+}  // namespace grainproof::app

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/verify.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/engines.hpp"
+#include "app/exit_code.hpp"
+#include "app/oracles.hpp"
+#include "app/progress.hpp"
+#include "app/resources.hpp"
+#include "comparisons/judge.hpp"
+#include "input/read_case.hpp"
+#include "model/errors.hpp"
+#include "report/files.hpp"
+#include "report/html.hpp"
+#include "report/numbers.hpp"
+#include "report/results_json.hpp"
+#include "report/verdict_text.hpp"
+
+namespace grainproof::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Particle-steps over all scenes of a case that --quick still runs: some ten seconds on one core.
+constexpr double quick_work = 1e7;
+
+double work(const Case& subject) {
+  double steps = 0.0;
+  for (const ResolvedScene& resolved : subject.scenes)
+    steps += static_cast<double>(resolved.scene.particles.size()) * resolved.scene.run.end /
+             resolved.scene.run.step;
+  return steps;
+}
+
+std::vector<fs::path> case_files(const VerifyOptions& options, const fs::path& data) {
+  if (options.cases.empty()) return known_cases(data);
+  std::vector<fs::path> files;
+  for (const std::string& name : options.cases) files.push_back(find_case(data, name));
+  return files;
+}
+
+/// Every case is read before any runs, so that a refusal costs nothing.
+std::vector<Case> read_cases(const VerifyOptions& options, const fs::path& data, Progress& progress) {
+  std::vector<Case> cases;
+  for (const fs::path& file : case_files(options, data)) {
+    Case subject = read_case(file);
+    if (options.quick && work(subject) > quick_work)
+      progress.say("left out by --quick: " + subject.name + ", " + report::brief(work(subject)) +
+                   " particle-steps");
+    else
+      cases.push_back(std::move(subject));
+  }
+  if (cases.empty()) throw InputRefused("no case to verify in " + (data / "scenes").string());
+  return cases;
+}
+
+std::vector<Made> engines_asked_for(const VerifyOptions& options, const fs::path& data) {
+  std::vector<Made> engines;
+  for (const std::string& name : options.engines.empty() ? engines_to_verify() : options.engines)
+    for (Made& made : make_engines(name, {data, "", options.device})) engines.push_back(std::move(made));
+  return engines;
+}
+
+/// The row of an engine that is not asked about a case, with the reason.
+Row unsupported_row(const Case& subject, const std::string& engine, const std::string& because) {
+  Row row;
+  row.case_name = subject.name;
+  row.engine = engine;
+  row.verdict = Verdict::unsupported;
+  row.reason = because;
+  return row;
+}
+
+std::vector<Row> judge_one(Judge& judge, const Case& subject, Made& made, Progress& progress) {
+  if (!made.engine) return {unsupported_row(subject, made.name, "not available here: " + made.because)};
+  if (made.peer && !subject.no_peers_because.empty())
+    return {unsupported_row(subject, made.name, subject.no_peers_because)};
+  progress.begin();
+  return judge.rows(*made.engine, [&](std::size_t done, std::size_t total) {
+    progress.show(subject.name + " on " + made.name, static_cast<double>(done) / static_cast<double>(total));
+  });
+}
+
+std::vector<Row> judge_case(const Case& subject, std::vector<Made>& engines, const Oracles& oracles,
+                            Progress& progress) {
+  Judge judge(subject, oracles);
+  std::vector<Row> rows;
+  for (Made& made : engines) {
+    if (!progress.on_terminal()) progress.say(subject.name + " on " + made.name + " …");
+    const std::vector<Row> more = judge_one(judge, subject, made, progress);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  progress.clear();
+  return rows;
+}
+
+void say_what_is_missing(const std::vector<Made>& engines, Progress& progress) {
+  for (const Made& made : engines)
+    if (!made.engine) progress.say(made.name + " is not available: " + made.because);
+  if (std::none_of(engines.begin(), engines.end(), [](const Made& made) { return made.engine != nullptr; }))
+    throw InputRefused("none of the engines asked for is available; grainproof doctor says what to install");
+}
+
+void write_results(const VerifyOptions& options, const std::vector<report::CaseReport>& cases,
+                   const std::vector<Row>& rows) {
+  const report::Machine machine = report::this_machine();
+  const std::string json = report::results_json(rows, machine).dump(2) + "\n";
+  if (!options.json.empty()) report::write_file(options.json, json);
+  if (options.out.empty()) return;
+  report::write_file(options.out / "results.json", json);
+  report::write_file(options.out / "report.html", report::html(cases, machine));
+}
+
+}  // namespace
+
+int verify(const VerifyOptions& options, Terminal& terminal) {
+  const auto began = std::chrono::steady_clock::now();
+  Progress progress(terminal.err, terminal.err_is_terminal, terminal.quiet);
+  const fs::path data = data_root();
+  std::vector<Made> engines = engines_asked_for(options, data);
+  const std::vector<Case> cases = read_cases(options, data, progress);
+  say_what_is_missing(engines, progress);
+
+  OracleTable oracles({data, "", options.device});
+  std::vector<report::CaseReport> reports;
+  std::vector<Row> all;
+  for (const Case& subject : cases) {
+    const std::vector<Row> rows = judge_case(
+        subject, engines, [&](const std::string& against) { return oracles.find(against); }, progress);
+    terminal.out << report::case_text(rows, subject.title, terminal.paint()) << std::flush;
+    all.insert(all.end(), rows.begin(), rows.end());
+    reports.push_back({subject.title, rows});
+  }
+  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  terminal.out << report::failures_text(all, terminal.paint())
+               << report::summary_text(all, wall_s, terminal.paint());
+  write_results(options, reports, all);
+  const bool failed =
+      std::any_of(all.begin(), all.end(), [](const Row& row) { return row.verdict == Verdict::fail; });
+  return failed ? verdict_failed : all_held;
+}
+
+}  // namespace grainproof::app
