@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference_cpu/bodies.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "reference_cpu/laws/drag.hpp"
+
+namespace grainproof::reference {
+namespace {
+
+double sphere_mass(double density, double diameter) {
+  return density * std::numbers::pi * diameter * diameter * diameter / 6.0;
+}
+
+double reach_of(const Particle& particle, bool cohesion) {
+  return 0.5 * (cohesion ? particle.effect_diameter : particle.diameter);
+}
+
+void append(Bodies& bodies, const Particle& particle, double density, bool cohesion) {
+  const double mass = sphere_mass(density, particle.diameter);
+  const double inverse_mass = particle.fixed ? 0.0 : 1.0 / mass;
+  bodies.body.push_back({particle.position, 0.5 * particle.diameter, particle.velocity, inverse_mass});
+  bodies.acceleration.push_back(Vec3::Zero());
+  bodies.mass.push_back(mass);
+  bodies.reach.push_back(reach_of(particle, cohesion));
+  bodies.material.push_back(particle.material);
+  bodies.id.push_back(particle.id);
+}
+
+}  // namespace
+
+bool has_cohesion(const Scene& scene) {
+  const std::size_t materials = scene.contacts.materials();
+  for (std::size_t a = 0; a < materials; ++a)
+    for (std::size_t b = a; b < materials; ++b)
+      if (scene.contacts.has(a, b) && !std::holds_alternative<NoCohesion>(scene.contacts.at(a, b).cohesion))
+        return true;
+  return false;
+}
+
+double largest_reach(const Scene& scene) {
+  double largest = 0.0;
+  for (const Particle& particle : scene.particles)
+    largest = std::max(largest, reach_of(particle, has_cohesion(scene)));
+  return largest;
+}
+
+double smallest_reach(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Particle& particle : scene.particles)
+    smallest = std::min(smallest, reach_of(particle, has_cohesion(scene)));
+  return smallest;
+}
+
+Bodies bodies_of(const Scene& scene) {
+  Bodies bodies;
+  bodies.body.reserve(scene.particles.size());
+  const bool cohesion = has_cohesion(scene);
+  const bool flow = !std::holds_alternative<NoFlow>(scene.flow);
+  for (const Particle& particle : scene.particles) {
+    const double density = scene.materials[particle.material].density;
+    append(bodies, particle, density, cohesion);
+    if (flow) bodies.drag_rate.push_back(drag_rate(density, particle.diameter, viscosity_of(scene.flow)));
+  }
+  return bodies;
+}
+
+}  // namespace grainproof::reference

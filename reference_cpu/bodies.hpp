@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "model/scene.hpp"
+
+namespace grainproof::reference {
+
+/// What the pair loop reads of a particle, in one cache line.
+struct alignas(64) Body {
+  Vec3 position;
+  double radius;
+  Vec3 velocity;
+  double inverse_mass;  ///< 1/kg; zero for a fixed particle
+
+  bool fixed() const { return inverse_mass == 0.0; }
+};
+
+/// All particles, in id order. Every array has the same length.
+struct Bodies {
+  std::vector<Body> body;
+  std::vector<Vec3> acceleration;  ///< m/s²; holds the force while contacts are being summed
+  std::vector<double> mass;        ///< kg, of fixed particles too
+  std::vector<double> reach;       ///< m; effect radius where the scene has cohesion, else radius
+  std::vector<double> drag_rate;   ///< 1/s, the inverse of the response time; empty without flow
+  std::vector<std::int32_t> material;
+  std::vector<std::int64_t> id;
+
+  std::size_t size() const { return body.size(); }
+};
+
+Bodies bodies_of(const Scene& scene);
+
+bool has_cohesion(const Scene& scene);
+
+/// The largest and the smallest distance from a centre at which a particle of the scene acts.
+double largest_reach(const Scene& scene);
+double smallest_reach(const Scene& scene);
+
+}  // namespace grainproof::reference

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <span>
+
+#include "reference_cpu/bodies.hpp"
+#include "reference_cpu/force_log.hpp"
+#include "reference_cpu/neighbours/neighbours.hpp"
+#include "reference_cpu/watch.hpp"
+
+namespace grainproof::reference {
+
+/// What contacts are made of besides the particles; all of it outlives the call.
+struct ContactSetting {
+  const LawTable& laws;
+  const PeriodicBox& box;
+  std::span<const Wall> walls;
+  bool cohesion;
+};
+
+/// Adds the forces of all contacts to bodies.acceleration: for each particle those of its partners
+/// by rising id, then those of the walls by rising index. `log` may be null.
+void add_contact_forces(const ContactSetting& setting, const Neighbours& neighbours, Bodies& bodies,
+                        Watch& watch, ForceLog* log);
+
+}  // namespace grainproof::reference

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+
+#include "model/fields.hpp"
+#include "model/integrators.hpp"
+#include "reference_cpu/bodies.hpp"
+
+namespace grainproof::reference {
+
+/// One step is move(), the forces at the new place and time, and settle() where there is one. Both
+/// return for how long (s) they have applied the acceleration, which the ledger needs.
+/// The equations are in docs/laws/integrators.md.
+struct Scheme {
+  double (*move)(Bodies& bodies, const Flow& flow, double step, std::int64_t steps_done);
+  double (*settle)(Bodies& bodies, double step) = nullptr;
+  bool applies_drag = false;  ///< then drag is left out of the acceleration
+  double velocity_lag = 0.0;  ///< of the velocity it holds, in steps
+};
+
+Scheme euler_trapezoid();
+Scheme euler_trapezoid_implicit_drag();
+Scheme leapfrog_verlet();
+Scheme velocity_verlet();
+
+inline Scheme scheme_for(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::euler_trapezoid:
+      return euler_trapezoid();
+    case Integrator::euler_trapezoid_implicit_drag:
+      return euler_trapezoid_implicit_drag();
+    case Integrator::leapfrog_verlet:
+      return leapfrog_verlet();
+    case Integrator::velocity_verlet:
+      return velocity_verlet();
+  }
+  return velocity_verlet();
+}
+
+}  // namespace grainproof::reference

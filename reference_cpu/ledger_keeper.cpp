@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference_cpu/ledger_keeper.hpp"
+
+namespace grainproof::reference {
+namespace {
+
+std::vector<Vec3> velocities_after(const Bodies& bodies, double pending) {
+  std::vector<Vec3> velocities(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    velocities[i] = bodies.body[i].velocity + bodies.acceleration[i] * pending;
+  return velocities;
+}
+
+double kinetic_energy(const Bodies& bodies, const std::vector<Vec3>& velocities) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!bodies.body[i].fixed()) sum += 0.5 * bodies.mass[i] * velocities[i].squaredNorm();
+  return sum;
+}
+
+}  // namespace
+
+void LedgerKeeper::before_kick(const Bodies& bodies) {
+  before_ = velocities_after(bodies, 0.0);
+}
+
+void LedgerKeeper::after_kick(const Bodies& bodies, double duration) {
+  book(sums_, {bodies, before_, velocities_after(bodies, 0.0), duration});
+}
+
+Ledger LedgerKeeper::at(const Bodies& bodies, double pending) const {
+  Ledger ledger = sums_;
+  const std::vector<Vec3> held = velocities_after(bodies, 0.0);
+  const std::vector<Vec3> synchronised = velocities_after(bodies, pending);
+  book(ledger, {bodies, held, synchronised, pending});
+  ledger.kinetic = kinetic_energy(bodies, synchronised);
+  ledger.elastic = log_.elastic;
+  ledger.cohesive = log_.cohesive;
+  return ledger;
+}
+
+void LedgerKeeper::book(Ledger& ledger, const Kick& kick) const {
+  ledger.support_impulse += log_.support * kick.duration;
+  for (std::size_t wall = 0; wall < ledger.wall_impulses.size(); ++wall)
+    ledger.wall_impulses[wall] += log_.wall_force_on_particles[wall] * kick.duration;
+  book_contacts(ledger, kick);
+  book_fields(ledger, kick);
+}
+
+void LedgerKeeper::book_contacts(Ledger& ledger, const Kick& kick) const {
+  for (const LoggedContact& contact : log_.contacts) {
+    Vec3 path = kick.path(contact.second);
+    if (contact.first != no_particle) path -= kick.path(contact.first);
+    ledger.dissipated_normal -= contact.dashpot.dot(path);
+    ledger.dissipated_tangential -= contact.friction.dot(path);
+  }
+}
+
+void LedgerKeeper::book_fields(Ledger& ledger, const Kick& kick) const {
+  const bool drag = !kick.bodies.drag_rate.empty();
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(kick.bodies.size()); ++i) {
+    if (kick.bodies.body[i].fixed()) continue;
+    const Vec3 mean_velocity = 0.5 * (kick.before[i] + kick.after[i]);
+    const Vec3 weight_impulse = log_.gravity[i] * kick.duration;
+    ledger.gravity_work += weight_impulse.dot(mean_velocity);
+    ledger.field_impulse += weight_impulse;
+    if (!drag) continue;
+    const Vec3 impulse = drag_impulse(kick, i);
+    ledger.drag_work += impulse.dot(mean_velocity);
+    ledger.field_impulse += impulse;
+  }
+}
+
+// Where the integrator applies drag it takes the velocity at the end of the step.
+Vec3 LedgerKeeper::drag_impulse(const Kick& kick, std::int32_t particle) const {
+  if (log_.fluid.empty()) return log_.drag[particle] * kick.duration;
+  const double steps_per_response = kick.duration * kick.bodies.drag_rate[particle];
+  return kick.bodies.mass[particle] * steps_per_response * (log_.fluid[particle] - kick.after[particle]);
+}
+
+}  // namespace grainproof::reference

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "model/observations.hpp"
+#include "reference_cpu/force_log.hpp"
+
+namespace grainproof::reference {
+
+/// Keeps energy and impulse from the very kicks that the integrator applies: a force F acting for a
+/// time s does the work F·(v_before + v_after)/2 · s, which is what it adds to ½ m v². So the balance
+/// drifts only by how well the kicks follow the potentials, which is the integrator's own error.
+class LedgerKeeper {
+ public:
+  explicit LedgerKeeper(const Scene& scene) : log_(scene) {
+    sums_.wall_impulses.assign(scene.walls.size(), Vec3::Zero());
+  }
+
+  /// To be filled by whoever evaluates the forces.
+  ForceLog& log() { return log_; }
+
+  void before_kick(const Bodies& bodies);
+  void after_kick(const Bodies& bodies, double duration);
+
+  /// The ledger at the current step. `pending` is how long (s) the present forces still have to act
+  /// to bring the velocities up to the step boundary.
+  Ledger at(const Bodies& bodies, double pending) const;
+
+ private:
+  /// Velocities before and after the forces in the log have acted for `duration`.
+  struct Kick {
+    const Bodies& bodies;
+    const std::vector<Vec3>& before;
+    const std::vector<Vec3>& after;
+    double duration;
+
+    Vec3 path(std::int32_t particle) const { return 0.5 * duration * (before[particle] + after[particle]); }
+  };
+
+  void book(Ledger& ledger, const Kick& kick) const;
+  void book_contacts(Ledger& ledger, const Kick& kick) const;
+  void book_fields(Ledger& ledger, const Kick& kick) const;
+  Vec3 drag_impulse(const Kick& kick, std::int32_t particle) const;
+
+  ForceLog log_;
+  Ledger sums_;
+  std::vector<Vec3> before_;
+};
+
+}  // namespace grainproof::reference

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference_cpu/neighbours/near_walls.hpp"
+
+#include "reference_cpu/surfaces.hpp"
+
+namespace grainproof::reference {
+namespace {
+
+template <class Shape>
+void list_near(const Shape& shape, const Bodies& bodies, const PeriodicBox& box, double skin,
+               std::vector<std::int32_t>& near) {
+  near.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Body& body = bodies.body[i];
+    const double range = (bodies.reach[i] + skin) * (1.0 + 1e-12);
+    if (!body.fixed() && nearest(shape, body.position, box).distance < range)
+      near.push_back(static_cast<std::int32_t>(i));
+  }
+}
+
+}  // namespace
+
+void NearWalls::list(const Bodies& bodies, const PeriodicBox& box, double skin) {
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    std::visit([&](const auto& shape) { list_near(shape, bodies, box, skin, near_[w]); }, walls_[w].shape);
+}
+
+}  // namespace grainproof::reference

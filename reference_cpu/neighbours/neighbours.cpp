@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference_cpu/neighbours/neighbours.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "reference_cpu/neighbours/all_pairs.hpp"
+
+namespace grainproof::reference {
+namespace {
+
+/// Up to here looking at every pair costs less than keeping a list up to date.
+constexpr std::size_t few_particles = 8;
+
+/// In radii of the smallest particle. Wider lists last longer and cost more each step.
+constexpr double usual_skin = 0.2;
+
+double skin_of(const Scene& scene) {
+  return scene.run.skin >= 0.0 ? scene.run.skin : usual_skin * smallest_reach(scene);
+}
+
+}  // namespace
+
+Neighbours::Neighbours(const Scene& scene, const Bodies& bodies, const PeriodicBox& box)
+    : way_(way_for(scene, bodies)),
+      box_(box),
+      largest_reach_(largest_reach(scene)),
+      verlet_(skin_of(scene)),
+      walls_(scene.walls) {
+  if (way_ == Way::nothing_to_find) {
+    pairs_.assign(bodies.size(), {});
+    walls_.list(bodies, box_, std::numeric_limits<double>::infinity());
+  } else {
+    rebuild(bodies, way_ == Way::verlet_list ? verlet_.skin() : 0.0);
+  }
+}
+
+Neighbours::Way Neighbours::way_for(const Scene& scene, const Bodies& bodies) {
+  const bool all_fixed = std::ranges::all_of(bodies.body, &Body::fixed);
+  if (bodies.size() < 2 || all_fixed) return Way::nothing_to_find;
+  switch (scene.run.neighbours) {
+    case NeighbourSearch::all_pairs:
+      return Way::all_pairs;
+    case NeighbourSearch::cells:
+      return Way::cells;
+    case NeighbourSearch::verlet_list:
+      return Way::verlet_list;
+    case NeighbourSearch::automatic:
+      break;
+  }
+  return bodies.size() <= few_particles ? Way::all_pairs : Way::verlet_list;
+}
+
+void Neighbours::update(const Bodies& bodies) {
+  if (way_ == Way::nothing_to_find) return;
+  if (way_ == Way::verlet_list && !verlet_.outdated(bodies, box_)) return;
+  rebuild(bodies, way_ == Way::verlet_list ? verlet_.skin() : 0.0);
+  ++rebuilds_;
+}
+
+void Neighbours::rebuild(const Bodies& bodies, double skin) {
+  if (way_ == Way::all_pairs) {
+    list_all_pairs(bodies, box_, skin, pairs_);
+  } else {
+    chains_.fill(grid_over(bodies, box_, 2.0 * largest_reach_ + skin), bodies);
+    chains_.list_pairs(bodies, box_, skin, pairs_);
+  }
+  walls_.list(bodies, box_, skin);
+  if (way_ == Way::verlet_list) verlet_.made(bodies);
+}
+
+}  // namespace grainproof::reference

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "reference_cpu/neighbours/chain_cells.hpp"
+#include "reference_cpu/neighbours/near_walls.hpp"
+#include "reference_cpu/neighbours/pair_list.hpp"
+#include "reference_cpu/neighbours/verlet_list.hpp"
+
+namespace grainproof::reference {
+
+/// Who may touch whom, found the way the scene asks for and only when it may have changed.
+class Neighbours {
+ public:
+  /// Keeps a reference to the walls of the scene.
+  Neighbours(const Scene& scene, const Bodies& bodies, const PeriodicBox& box);
+
+  /// Positions must be finite and inside the domain.
+  void update(const Bodies& bodies);
+
+  const PairList& pairs() const { return pairs_; }
+  const NearWalls& walls() const { return walls_; }
+  std::int64_t rebuilds() const { return rebuilds_; }
+
+ private:
+  enum class Way { nothing_to_find, all_pairs, cells, verlet_list };
+
+  static Way way_for(const Scene& scene, const Bodies& bodies);
+  bool outdated(const Bodies& bodies) const;
+  void rebuild(const Bodies& bodies, double skin);
+
+  Way way_;
+  const PeriodicBox& box_;
+  double largest_reach_;
+  VerletList verlet_;
+  ChainCells chains_;
+  PairList pairs_;
+  NearWalls walls_;
+  std::int64_t rebuilds_ = 0;
+};
+
+}  // namespace grainproof::reference

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference_cpu/reference_engine.hpp"
+
+#include "model/errors.hpp"
+#include "reference_cpu/reference_run.hpp"
+#include "reference_cpu/supports.hpp"
+
+namespace grainproof::reference {
+
+Support ReferenceEngine::supports(const Scene& scene, const Request&) const {
+  return supported(scene);
+}
+
+std::unique_ptr<Run> ReferenceEngine::start(const Scene& scene, const Request& request) {
+  if (const Support support = supported(scene); !support) throw InputRefused(support.because);
+  return std::make_unique<ReferenceRun>(scene, request.ledger);
+}
+
+Provenance ReferenceEngine::provenance() const {
+  return {.engine = name(),
+          .precision = "double",
+          .device = "one CPU core",
+          .version = GRAINPROOF_VERSION,
+          .variant = "",
+          .unit_roundoff = 0x1p-53};
+}
+
+}  // namespace grainproof::reference

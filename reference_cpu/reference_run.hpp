@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+
+#include "model/engine.hpp"
+#include "reference_cpu/contacts.hpp"
+#include "reference_cpu/integrators/scheme.hpp"
+#include "reference_cpu/ledger_keeper.hpp"
+
+namespace grainproof::reference {
+
+/// A step moves the particles, looks who is near whom where that may have changed, and sums the
+/// forces at the new place, so that between steps forces and state belong together.
+class ReferenceRun : public Run {
+ public:
+  ReferenceRun(const Scene& scene, bool with_ledger);
+
+  void advance(std::int64_t steps) override;
+  void synchronise() override {}
+  Frame frame() override;
+  State state() override;
+  std::uint64_t digest() override;
+  Counters counters() const override;
+  Ledger ledger() override;
+
+ private:
+  void take_step();
+  template <class Kick>
+  void kick(Kick apply);
+  void confine();
+  void evaluate_forces();
+  void check_velocities();
+  void raise_trouble() const;
+  double time() const { return static_cast<double>(step_) * scene_.run.step; }
+  /// By how many steps the held velocities are behind; none before the first step.
+  double velocity_lag() const { return step_ == 0 ? 0.0 : scheme_.velocity_lag; }
+
+  const Scene scene_;
+  const Scheme scheme_;
+  const PeriodicBox box_;
+  const LawTable laws_;
+  const bool cohesion_;
+  Bodies bodies_;
+  Neighbours neighbours_;
+  Watch watch_;
+  std::optional<LedgerKeeper> ledger_;
+  std::int64_t step_ = 0;
+  double step_loop_wall_s_ = 0.0;
+};
+
+}  // namespace grainproof::reference

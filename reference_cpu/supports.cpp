@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference_cpu/supports.hpp"
+
+#include <array>
+#include <sstream>
+#include <string>
+
+#include "reference_cpu/bodies.hpp"
+
+namespace grainproof::reference {
+namespace {
+
+constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
+
+/// A pair may touch through one image only, so a period holds two of the largest ranges.
+Support periods_hold_two_ranges(const Scene& scene) {
+  const double range = 2.0 * largest_reach(scene);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double period = scene.domain.extent()[axis];
+    if (!scene.domain.periodic(axis) || period >= 2.0 * range) continue;
+    std::ostringstream why;
+    why << "the periodic box is too small for its particles: " << period << " m along " << axis_names[axis]
+        << "; it must be at least " << 2.0 * range << " m, twice the range of the largest pair";
+    return Support::no(why.str());
+  }
+  return {};
+}
+
+/// A plane has no image of itself that fits; a rectangle either spans the period or leaves room.
+bool fits_period(const Plane& plane, int axis, double, double) {
+  return plane.normal[axis] == 0.0;
+}
+
+bool fits_period(const Rectangle& rectangle, int axis, double period, double range) {
+  const double length = rectangle.upper[axis] - rectangle.lower[axis];
+  return length >= period || period - length >= range;
+}
+
+Support walls_fit_periods(const Scene& scene) {
+  const double range = 2.0 * largest_reach(scene);
+  for (const Wall& wall : scene.walls)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!scene.domain.periodic(axis)) continue;
+      const double period = scene.domain.extent()[axis];
+      if (std::visit([&](const auto& shape) { return fits_period(shape, axis, period, range); }, wall.shape))
+        continue;
+      return Support::no("the wall '" + wall.name + "' does not fit the periodic " + axis_names[axis] +
+                         " axis: a plane must lie along it, a rectangle span it or leave a gap as wide as "
+                         "the largest particle");
+    }
+  return {};
+}
+
+Support fixed_particles_rest(const Scene& scene) {
+  for (const Particle& particle : scene.particles)
+    if (particle.fixed && particle.velocity != Vec3::Zero())
+      return Support::no("the fixed particle " + std::to_string(particle.id) + " has a velocity");
+  return {};
+}
+
+/// Fixed particles and walls never meet each other, but are asked for all the same: simpler to say.
+Support laws_are_given(const Scene& scene) {
+  std::vector<bool> used(scene.materials.size(), false);
+  for (const Particle& particle : scene.particles) used[particle.material] = true;
+  const auto missing = [&](std::size_t a, std::size_t b) {
+    return Support::no("no contact laws between the materials '" + scene.materials[a].name + "' and '" +
+                       scene.materials[b].name + "'");
+  };
+  for (std::size_t a = 0; a < used.size(); ++a) {
+    if (!used[a]) continue;
+    for (std::size_t b = a; b < used.size(); ++b)
+      if (used[b] && !scene.contacts.has(a, b)) return missing(a, b);
+    for (const Wall& wall : scene.walls)
+      if (!scene.contacts.has(a, wall.material)) return missing(a, wall.material);
+  }
+  return {};
+}
+
+Support restitutions_are_reachable(const Scene& scene) {
+  const std::size_t materials = scene.contacts.materials();
+  for (std::size_t a = 0; a < materials; ++a)
+    for (std::size_t b = a; b < materials; ++b) {
+      if (!scene.contacts.has(a, b)) continue;
+      const auto& law = std::get<LinearNormal>(scene.contacts.at(a, b).normal);
+      const auto* restitution = std::get_if<Restitution>(&law.dissipation);
+      if (law.no_tension && restitution && restitution->value == 0.0)
+        return Support::no("a contact that never pulls cannot rebound with restitution 0");
+    }
+  return {};
+}
+
+}  // namespace
+
+Support supported(const Scene& scene) {
+  for (const auto& check : {laws_are_given, periods_hold_two_ranges, walls_fit_periods, fixed_particles_rest,
+                            restitutions_are_reachable})
+    if (const Support support = check(scene); !support) return support;
+  return {};
+}
+
+}  // namespace grainproof::reference
