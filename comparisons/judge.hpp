@@ -37,6 +37,7 @@ class Judge {
 };
 
 /// A judge for a single engine.
-std::vector<Row> judge(const Case& subject, Engine& engine, const Oracles& oracles, const Progress& progress = {});
+std::vector<Row> judge(const Case& subject, Engine& engine, const Oracles& oracles,
+                       const Progress& progress = {});
 
 }  // namespace grainproof

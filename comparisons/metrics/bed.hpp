@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "comparisons/measured.hpp"
+#include "model/observations.hpp"
+#include "model/scene.hpp"
+
+namespace grainproof {
+
+/// Twice the mean height of the particles above the lowest corner of the domain, against gravity (z
+/// where there is none), in the last frame, m: the height of a uniform bed with that centre.
+Measured bed_height(const Scene& scene, const Observations& seen);
+
+/// Particles that a particle overlaps, on average, in the last frame.
+Measured contact_number(const Scene& scene, const Observations& seen);
+
+}  // namespace grainproof

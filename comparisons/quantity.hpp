@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "comparisons/measured.hpp"
+#include "model/engine.hpp"
+
+namespace grainproof {
+
+/// One thing that a case can make a claim about. Errors are signed and relative.
+struct Quantity {
+  using Error = Measured (*)(const Scene& scene, const Observations& seen, const Observations& exact);
+  /// One value a scene, found by running the engine many times.
+  using Search = std::vector<Measured> (*)(std::span<const Scene> scenes, Engine& engine);
+
+  std::string_view name;
+  std::string_view relative_to;  ///< the scale of the error, in words
+  bool every_step = false;       ///< needs a frame at every step
+  bool ledger = false;           ///< needs the ledger
+  bool curve = false;            ///< needs the exact solution at the frames' own times
+  Error error = nullptr;
+  Search search = nullptr;  ///< where set, `error` is nullptr and the exact value is a scalar
+
+  Request request() const { return {{}, every_step, ledger}; }
+};
+
+std::span<const Quantity> quantities();
+
+/// Null where there is none of that name.
+const Quantity* quantity_named(std::string_view name);
+
+/// (seen − exact)/|exact|. An exact zero has the scale `zero_scale`; 0 there means it has none.
+Measured relative_error(const Measured& seen, const Measured& exact, double zero_scale = 0.0);
+
+}  // namespace grainproof
