@@ -23,9 +23,9 @@ std::string read_against(const Node& node) {
 }
 
 std::map<std::string, double> read_below(const Node& node) {
-  if (!node.is_table()) return {{"", node.positive()}};
+  if (!node.is_table()) return {{"", node.not_negative()}};
   std::map<std::string, double> out;
-  for (const Node& bound : node.table().nodes()) out[std::string(bound.name())] = bound.positive();
+  for (const Node& bound : node.table().nodes()) out[std::string(bound.name())] = bound.not_negative();
   if (out.empty()) node.refuse("a bound for at least one step");
   return out;
 }
@@ -80,9 +80,11 @@ Expectation read_expectation(const Table& table) {
   return out;
 }
 
-bool meets(const Expectation& expectation, const SweepPoint& point) {
+bool meets(const Expectation& expectation, const ResolvedScene& scene) {
+  const SweepPoint& point = scene.point;
   return std::all_of(expectation.where.begin(), expectation.where.end(), [&](const auto& wanted) {
     if (wanted.first == "step") return wanted.second == point.step;
+    if (wanted.first == "integrator") return wanted.second == name_of(scene.scene.run.integrator);
     const auto found = point.values.find(wanted.first);
     return found != point.values.end() && found->second == wanted.second;
   });
@@ -109,7 +111,7 @@ void check_expectations(const std::vector<WrittenExpectation>& written,
   for (const WrittenExpectation& one : written) {
     std::vector<const SweepPoint*> met;
     for (const ResolvedScene& scene : scenes)
-      if (meets(one.expectation, scene.point)) met.push_back(&scene.point);
+      if (meets(one.expectation, scene)) met.push_back(&scene.point);
     if (met.empty())
       one.place.refuse("for = a point that the sweep doesn't have", "keys and values that are swept");
     for (const auto& [label, bound] : one.expectation.below) check_step(one, met, label);
