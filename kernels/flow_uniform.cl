@@ -1,0 +1,4 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+INLINE real3 flow_at(World w, Position p) { return w.constants->stream.xyz; }
+INLINE real drag_rate(World w, int i) { return w.drag_rates[i]; }

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Positions as doubles, in metres from an origin that the host chooses near the scene.
+// The same functions as position_fixed.cl; nothing outside these two files knows how a position is held.
+typedef struct {
+  double4 at;  // w: body radius
+} Position;
+
+typedef double Reach;  // a length along a line of centres, m
+
+typedef struct {
+  double4 lower;
+  double4 upper;
+  double4 period;       // 0 along an axis that is not periodic
+  double4 half_period;  // beyond reach there
+  double4 zone_scale;   // zones per metre
+  int4 zones;
+  Reach skin;
+  Reach half_skin;
+} Box;
+
+typedef struct {
+  double3 across;
+} Separation;
+
+typedef struct {
+  double4 point;
+  double4 normal;
+} PlaneShape;
+
+typedef struct {
+  Position centre;
+  double4 half_extent;
+} RectangleShape;
+
+typedef struct {
+  double4 origin;
+  double4 number;  // 1/m
+} Wave;
+
+INLINE Reach radius_of(Position p) { return p.at.w; }
+INLINE Reach sum_of(Reach a, Reach b) { return a + b; }
+INLINE real in_metres(Reach r, const global Box* box) { return r; }
+
+INLINE double nearest_image(double d, double period, double half_period) {
+  return d > half_period ? d - period : (d < -half_period ? d + period : d);
+}
+
+// From one centre to another, by the nearest periodic image.
+INLINE Separation separation(Position from, Position to, const global Box* box) {
+  double3 d = to.at.xyz - from.at.xyz;
+  if (PERIODIC_X) d.x = nearest_image(d.x, box->period.x, box->half_period.x);
+  if (PERIODIC_Y) d.y = nearest_image(d.y, box->period.y, box->half_period.y);
+  if (PERIODIC_Z) d.z = nearest_image(d.z, box->period.z, box->half_period.z);
+  Separation s;
+  s.across = d;
+  return s;
+}
+
+INLINE real distance_of(Separation s) {
+  return square_root(s.across.x * s.across.x + s.across.y * s.across.y + s.across.z * s.across.z);
+}
+
+INLINE bool within(Separation s, Reach reach) {
+  return s.across.x * s.across.x + s.across.y * s.across.y + s.across.z * s.across.z < reach * reach;
+}
+
+INLINE real overlap_of(Separation s, Reach reach, const global Box* box) { return reach - distance_of(s); }
+
+INLINE real3 direction_of(Separation s) {
+  const real inverse = 1 / distance_of(s);
+  return s.across * inverse;
+}
+
+INLINE real plane_overlap(Position p, Reach reach, const global PlaneShape* plane, const global Box* box) {
+  const double3 d = p.at.xyz - plane->point.xyz;
+  return reach - (d.x * plane->normal.x + d.y * plane->normal.y + d.z * plane->normal.z);
+}
+
+INLINE real3 plane_normal(const global PlaneShape* plane) { return plane->normal.xyz; }
+
+INLINE double beyond(double d, double half_extent) {
+  return d > half_extent ? d - half_extent : (d < -half_extent ? d + half_extent : 0);
+}
+
+// From the closest point of the rectangle to the centre.
+INLINE Separation rectangle_separation(Position p, const global RectangleShape* shape, const global Box* box) {
+  Separation s = separation(shape->centre, p, box);
+  s.across.x = beyond(s.across.x, shape->half_extent.x);
+  s.across.y = beyond(s.across.y, shape->half_extent.y);
+  s.across.z = beyond(s.across.z, shape->half_extent.z);
+  return s;
+}
+
+// False when the new position is no number.
+INLINE bool displace(Position* p, real3 velocity, real drift) {
+  p->at.xyz += velocity * drift;
+  return !isnan(p->at.x + p->at.y + p->at.z);
+}
+
+INLINE double wrapped(double x, double lower, double upper, double period) {
+  return x < lower ? x + period : (x >= upper ? x - period : x);
+}
+
+INLINE void wrap(Position* p, const global Box* box) {
+  if (PERIODIC_X) p->at.x = wrapped(p->at.x, box->lower.x, box->upper.x, box->period.x);
+  if (PERIODIC_Y) p->at.y = wrapped(p->at.y, box->lower.y, box->upper.y, box->period.y);
+  if (PERIODIC_Z) p->at.z = wrapped(p->at.z, box->lower.z, box->upper.z, box->period.z);
+}
+
+// Which face the centre lies beyond: 0 … 5 for −x, +x, −y, …; −1 inside.
+INLINE int face_left(Position p, const global Box* box) {
+  if (p.at.x < box->lower.x) return 0;
+  if (p.at.x > box->upper.x) return 1;
+  if (p.at.y < box->lower.y) return 2;
+  if (p.at.y > box->upper.y) return 3;
+  if (p.at.z < box->lower.z) return 4;
+  if (p.at.z > box->upper.z) return 5;
+  return -1;
+}
+
+// Clamped, so that a lost particle never indexes out of bounds.
+INLINE int3 zone_of(Position p, const global Box* box) {
+  const double3 zone = (p.at.xyz - box->lower.xyz) * box->zone_scale.xyz;
+  const int3 last = box->zones.xyz - 1;
+  return clamp(convert_int3_sat(zone), (int3)(0), last);
+}
+
+INLINE real3 phase_of(Position p, const global Wave* wave) {
+  return (p.at.xyz + wave->origin.xyz) * wave->number.xyz;
+}

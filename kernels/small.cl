@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole of a small scene in one work-group: many steps in one launch, all pairs, partners in increasing id.
+INLINE void resolve_all_pairs(World w, int i, int step) {
+  const Body self = load_body(w, i);
+  if (!(self.inverse_mass > 0)) return;
+  const int particles = w.constants->counts.x;
+  Load load = no_load();
+  for (int j = 0; j < particles; ++j)
+    if (j != i) meet_sphere(w, &load, self, j, step);
+  finish_forces(w, load, self, step);
+}
+
+// From step `first` to step `last`. The forces of step 0 are taken here too.
+kernel void run_small(WORLD_PARAMETERS, const int first, const int last) {
+  const World w = WORLD;
+  const int i = get_global_id(0);
+  if (first == 0) resolve_all_pairs(w, i, 0);
+  barrier(CLK_GLOBAL_MEM_FENCE);
+  for (int step = first + 1; step <= last; ++step) {
+    if (!movers_halt(w, step)) integrate(w, i, step);
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    if (!forces_halt(w, step)) {
+      resolve_all_pairs(w, i, step);
+    } else if (i == 0) {
+      w.signals[HALTED] = 1;
+    }
+    barrier(CLK_GLOBAL_MEM_FENCE);
+  }
+  w.reported[i] = (real4)(velocity_at_boundary(w, i, last), 0);
+}

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// docs/laws/integrators.md. The velocities held are those in the middle of the step, with which forces are taken.
+INLINE void integrate(World w, int i, int step) {
+  const real half_step = w.constants->time.y;
+  Motion m = load_motion(w, i);
+  if (!(m.inverse_mass > 0)) return;
+  const real3 change = w.accelerations[i].xyz * half_step;
+  if (step > 1) {
+    book(w, i, half_step, m.velocity);
+    kick(&m, change);
+  }
+  kick(&m, change);
+  book(w, i, half_step, m.velocity);
+  store_motion(w, i, m);
+  drift_body(w, i, m.velocity, w.constants->time.z, step);
+}
+
+INLINE real3 velocity_at_boundary(World w, int i, int step) {
+  Motion m = load_motion(w, i);
+  if (step > 0 && m.inverse_mass > 0) kick(&m, w.accelerations[i].xyz * w.constants->time.y);
+  return m.velocity;
+}

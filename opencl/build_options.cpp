@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opencl/build_options.hpp"
+
+#include <algorithm>
+
+#include "opencl/near_walls.hpp"
+#include "opencl/pair_laws.hpp"
+
+namespace grainproof::opencl {
+namespace {
+
+/// Materials that can meet: those of particles with each other and with the walls within reach.
+std::vector<PairCoefficients> laws_in_play(const Scene& scene, const NearWalls& near) {
+  std::vector<char> of_particle(scene.materials.size()), of_wall(scene.materials.size());
+  for (const Particle& p : scene.particles) of_particle[static_cast<std::size_t>(p.material)] = 1;
+  for (const auto& wall : near.planes) of_wall[static_cast<std::size_t>(wall.material)] = 1;
+  for (const auto& wall : near.rectangles) of_wall[static_cast<std::size_t>(wall.material)] = 1;
+  std::vector<PairCoefficients> laws;
+  for (std::size_t a = 0; a < scene.materials.size(); ++a)
+    for (std::size_t b = 0; b < scene.materials.size(); ++b)
+      if (of_particle[a] && (of_particle[b] || of_wall[b]) && scene.contacts.has(a, b))
+        laws.push_back(coefficients_of(scene.contacts.at(a, b), scene.run.step));
+  return laws;
+}
+
+FlowKind kind_of(const Flow& flow) {
+  return std::visit(Overloaded{[](const NoFlow&) { return FlowKind::none; },
+                               [](const UniformFlow&) { return FlowKind::uniform; },
+                               [](const TaylorGreenFlow&) { return FlowKind::taylor_green; }},
+                    flow);
+}
+
+GravityKind kind_of(const Gravity& gravity) {
+  return std::visit(Overloaded{[](const ConstantGravity& g) {
+                                 return g.acceleration.isZero(0.0) ? GravityKind::none
+                                                                   : GravityKind::constant;
+                               },
+                               [](const RotatingGravity&) { return GravityKind::rotating; },
+                               [](const CentralGravity&) { return GravityKind::central; }},
+                    gravity);
+}
+
+std::string file_of(FlowKind kind) {
+  switch (kind) {
+    case FlowKind::none:
+      return "flow_none.cl";
+    case FlowKind::uniform:
+      return "flow_uniform.cl";
+    case FlowKind::taylor_green:
+      return "flow_taylor_green.cl";
+  }
+  return "";
+}
+
+std::string file_of(GravityKind kind) {
+  switch (kind) {
+    case GravityKind::none:
+      return "gravity_none.cl";
+    case GravityKind::constant:
+      return "gravity_constant.cl";
+    case GravityKind::rotating:
+      return "gravity_rotating.cl";
+    case GravityKind::central:
+      return "gravity_central.cl";
+  }
+  return "";
+}
+
+std::vector<std::string> number_files(Precision precision, bool pocl) {
+  const std::string math = pocl ? "math_pocl.cl" : "math_plain.cl";
+  if (precision == Precision::double_precision)
+    return {"prelude.cl", "real_double.cl", math,       "position_double.cl",
+            "world.cl",   "faults.cl",      "sizes.cl", "velocity_plain.cl"};
+  return {"prelude.cl", "real_single.cl", math,       "position_fixed.cl",
+          "world.cl",   "faults.cl",      "sizes.cl", "velocity_compensated.cl"};
+}
+
+}  // namespace
+
+BuildOptions build_options(const Scene& scene, const Request& request, Precision precision, bool small) {
+  const NearWalls near = near_walls(scene);
+  const auto laws = laws_in_play(scene, near);
+  BuildOptions o;
+  o.precision = precision;
+  o.integrator = scene.run.integrator;
+  o.friction = std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.friction > 0.0; });
+  o.cohesion = std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.cohesion > 0.0; });
+  o.planes = !near.planes.empty();
+  o.rectangles = !near.rectangles.empty();
+  for (int axis = 0; axis < 3; ++axis)
+    o.periodic[static_cast<std::size_t>(axis)] = scene.domain.periodic(axis);
+  o.flow = kind_of(scene.flow);
+  o.gravity = kind_of(scene.gravity);
+  o.many_materials = scene.materials.size() > 1;
+  o.ledger = request.ledger;
+  o.small = small;
+  return o;
+}
+
+BuildOptions with_every_stage(BuildOptions lean) {
+  lean.friction = lean.cohesion = lean.planes = lean.rectangles = lean.many_materials = lean.ledger = true;
+  lean.periodic = {true, true, true};
+  if (lean.flow == FlowKind::none) lean.flow = FlowKind::uniform;
+  if (lean.gravity == GravityKind::none) lean.gravity = GravityKind::constant;
+  return lean;
+}
+
+std::vector<std::string> kernel_files(const BuildOptions& o, bool pocl) {
+  const bool drag_in_force =
+      o.flow != FlowKind::none && o.integrator != Integrator::euler_trapezoid_implicit_drag;
+  std::vector<std::string> files = number_files(o.precision, pocl);
+  const std::vector<std::string> physics{o.ledger ? "ledger_kept.cl" : "ledger_none.cl",
+                                         "linear_normal.cl",
+                                         o.friction ? "friction_viscous.cl" : "friction_none.cl",
+                                         o.cohesion ? "cohesion_linear.cl" : "cohesion_none.cl",
+                                         "contact.cl",
+                                         "spheres.cl",
+                                         "walls_common.cl",
+                                         o.planes ? "planes.cl" : "planes_none.cl",
+                                         o.rectangles ? "rectangles.cl" : "rectangles_none.cl",
+                                         file_of(o.gravity),
+                                         file_of(o.flow),
+                                         drag_in_force ? "drag_in_force.cl" : "drag_by_integrator.cl",
+                                         "forces.cl",
+                                         "drift.cl",
+                                         std::string(name_of(o.integrator)) + ".cl"};
+  files.insert(files.end(), physics.begin(), physics.end());
+  const std::vector<std::string> small{"small.cl"};
+  const std::vector<std::string> zoned{"scan.cl", "zones.cl", "pairs.cl", "steps.cl"};
+  const auto& path = o.small ? small : zoned;
+  files.insert(files.end(), path.begin(), path.end());
+  return files;
+}
+
+std::string definitions(const BuildOptions& o) {
+  const auto flag = [](const char* name, bool on) { return std::string(" -D ") + name + (on ? "=1" : "=0"); };
+  return flag("PERIODIC_X", o.periodic[0]) + flag("PERIODIC_Y", o.periodic[1]) +
+         flag("PERIODIC_Z", o.periodic[2]) + flag("MANY_MATERIALS", o.many_materials);
+}
+
+}  // namespace grainproof::opencl

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "model/engine.hpp"
+#include "opencl/precision.hpp"
+
+namespace grainproof::opencl {
+
+enum class FlowKind { none, uniform, taylor_green };
+enum class GravityKind { none, constant, rotating, central };
+
+/// What a program must be able to do for a scene, and nothing else.
+struct BuildOptions {
+  Precision precision = Precision::double_precision;
+  Integrator integrator = Integrator::velocity_verlet;
+  bool friction = false;
+  bool cohesion = false;
+  bool planes = false;
+  bool rectangles = false;
+  std::array<bool, 3> periodic{};
+  FlowKind flow = FlowKind::none;
+  GravityKind gravity = GravityKind::none;
+  bool many_materials = false;
+  bool ledger = false;
+  bool small = false;  ///< one work-group, all pairs
+
+  bool operator==(const BuildOptions&) const = default;
+};
+
+/// What `scene` and `request` need. Pure: no device is asked.
+BuildOptions build_options(const Scene& scene, const Request& request, Precision precision, bool small);
+
+/// `lean` and every stage that cannot change its scene's physics.
+BuildOptions with_every_stage(BuildOptions lean);
+
+/// The kernel files of a program, in order. `pocl` takes clang's builtins instead of the library's functions.
+std::vector<std::string> kernel_files(const BuildOptions& options, bool pocl);
+
+/// Compiler definitions, "-D PERIODIC_X=0 …".
+std::string definitions(const BuildOptions& options);
+
+}  // namespace grainproof::opencl

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/engine.hpp"
+#include "opencl/precision.hpp"
+
+namespace grainproof::opencl {
+
+/// `automatic` takes the small path (one work-group, all pairs) up to 64 particles, else the zoned one.
+enum class Path { automatic, small, zoned };
+
+/// `lean` compiles what a scene needs; `full` also every stage that cannot change its physics. Same bits.
+enum class Stages { lean, full };
+
+struct EngineOptions {
+  Precision precision = Precision::double_precision;
+  std::string device;  ///< index or part of a name of list_devices(); empty: first GPU, else first CPU
+  std::filesystem::path kernels;  ///< folder of the .cl files
+  Path path = Path::automatic;
+  Stages stages = Stages::lean;
+  int work_group = 64;         ///< work-items a group, a power of two
+  std::optional<double> skin;  ///< m; overrides the scene's
+};
+
+/// One device as `doctor` lists it; its place in the list is its index.
+struct DeviceDescription {
+  std::string name;
+  std::string platform;
+  std::string version;
+  bool gpu = false;
+  bool double_precision = false;
+  std::string no_double_because;  ///< empty where double_precision
+};
+
+/// Every OpenCL device found; empty where there is no platform. Never throws for a missing one.
+std::vector<DeviceDescription> list_devices();
+
+class Workshop;
+
+/// The scene's physics on an OpenCL device: "opencl:single", "opencl:double".
+class OpenClEngine : public SteppingEngine {
+ public:
+  /// Throws EngineFailed when there is no such device.
+  explicit OpenClEngine(EngineOptions options);
+  ~OpenClEngine() override;
+
+  std::string name() const override;
+  Support supports(const Scene& scene, const Request& request) const override;
+  std::unique_ptr<Run> start(const Scene& scene, const Request& request) override;
+  Provenance provenance() const override;
+
+ private:
+  EngineOptions options_;
+  std::shared_ptr<Workshop> workshop_;  ///< device, queue and built programs; runs keep it alive
+};
+
+}  // namespace grainproof::opencl

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "opencl/layout.hpp"
+#include "opencl/scene_image.hpp"
+
+namespace grainproof::opencl {
+
+/// Throws RunWentWrong for the particle with the smallest id whose fault belongs to `step`.
+/// `faults` holds one cl_int4 a particle: step, cause, partner or face.
+[[noreturn]] void throw_failure(const Scene& scene, cl_int step, const Bytes& faults);
+
+}  // namespace grainproof::opencl

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "model/engine.hpp"
+#include "opencl/precision.hpp"
+
+namespace grainproof::opencl {
+
+/// What no device can be asked for: a pair without laws, periodic boxes thinner than two reaches,
+/// particles outside the domain, bodies larger than it in single precision.
+Support within_limits(const Scene& scene, Precision precision);
+
+}  // namespace grainproof::opencl

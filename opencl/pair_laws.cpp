@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opencl/pair_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "model/errors.hpp"
+
+namespace grainproof::opencl {
+namespace {
+
+using std::numbers::pi;
+
+/// Rebound of a contact that ends when k δ + η δ' = 0: exp(−2ζ arccos ζ/sqrt(1 − ζ²)), continued beyond ζ
+/// = 1.
+double restitution_without_tension(double ratio) {
+  if (ratio == 1.0) return std::exp(-2.0);
+  const double root = std::sqrt(std::abs(1.0 - ratio * ratio));
+  const double angle = ratio < 1.0 ? std::acos(ratio) : std::acosh(ratio);
+  return std::exp(-2.0 * ratio * angle / root);
+}
+
+struct DampingOf {
+  double stiffness;
+  bool no_tension;
+
+  MassLaw operator()(const Damping& given) const { return {given.value, 0.0}; }
+
+  MassLaw operator()(const Restitution& wanted) const {
+    if (no_tension) return {0.0, 2.0 * damping_ratio_without_tension(wanted.value) * std::sqrt(stiffness)};
+    if (wanted.value == 0.0) return {0.0, 2.0 * std::sqrt(stiffness)};
+    const double log_e = std::log(wanted.value);
+    return {0.0, -2.0 * log_e * std::sqrt(stiffness / (pi * pi + log_e * log_e))};
+  }
+};
+
+struct FrictionInto {
+  PairCoefficients& c;
+  double step;
+
+  void operator()(const Frictionless&) const {}
+  void operator()(const DynamicFriction& law) const {
+    c.friction = law.coefficient;
+    c.unlimited = true;
+  }
+  void operator()(const StepFriction& law) const {
+    c.friction = law.coefficient;
+    c.viscosity.constant = law.stiffness * step;
+  }
+  void operator()(const CollisionTimeFriction& law) const {
+    c.friction = law.coefficient;
+    c.viscosity.per_root_mass = law.stiffness * pi / std::sqrt(c.stiffness);
+  }
+  void operator()(const DampedFriction& law) const {
+    (*this)(CollisionTimeFriction{law.coefficient, law.stiffness});
+    c.viscosity.constant += c.damping.constant;
+    c.viscosity.per_root_mass += c.damping.per_root_mass;
+  }
+};
+
+struct CohesionInto {
+  PairCoefficients& c;
+
+  void operator()(const NoCohesion&) const {}
+  void operator()(const LinearCohesion& law) const { c.cohesion = law.stiffness; }
+};
+
+}  // namespace
+
+double MassLaw::at(double mass) const {
+  return constant + per_root_mass * std::sqrt(mass);
+}
+
+double damping_ratio_without_tension(double restitution) {
+  if (!(restitution > 0.0))
+    throw InputRefused(
+        "restitution 0 with no_tension: a contact that never pulls always rebounds; "
+        "expected a restitution above 0");
+  double low = 0.0, high = 1.0;
+  while (restitution_without_tension(high) > restitution) high *= 2.0;
+  while (true) {
+    const double middle = low + (high - low) / 2.0;
+    if (middle <= low || middle >= high) return middle;
+    (restitution_without_tension(middle) > restitution ? low : high) = middle;
+  }
+}
+
+MassLaw damping_of(const LinearNormal& law) {
+  return std::visit(DampingOf{law.stiffness, law.no_tension}, law.dissipation);
+}
+
+PairCoefficients coefficients_of(const ContactLaws& laws, double step) {
+  PairCoefficients c;
+  std::visit(Overloaded{[&](const LinearNormal& law) {
+               c.stiffness = law.stiffness;
+               c.damping = damping_of(law);
+               c.no_tension = law.no_tension;
+             }},
+             laws.normal);
+  std::visit(FrictionInto{c, step}, laws.friction);
+  std::visit(CohesionInto{c}, laws.cohesion);
+  return c;
+}
+
+double mass_of(const Particle& particle, const Scene& scene) {
+  const double d = particle.diameter;
+  return scene.materials[static_cast<std::size_t>(particle.material)].density * pi * d * d * d / 6.0;
+}
+
+double shortest_contact(const Scene& scene) {
+  double stiffest = 0.0;
+  double lightest = std::numeric_limits<double>::max();
+  for (std::size_t a = 0; a < scene.contacts.materials(); ++a)
+    for (std::size_t b = a; b < scene.contacts.materials(); ++b)
+      if (scene.contacts.has(a, b))
+        stiffest = std::max(stiffest, coefficients_of(scene.contacts.at(a, b), scene.run.step).stiffness);
+  for (const Particle& p : scene.particles)
+    if (!p.fixed) lightest = std::min(lightest, mass_of(p, scene));
+  if (stiffest <= 0.0 || lightest == std::numeric_limits<double>::max()) return 0.0;
+  return pi * std::sqrt(lightest / 2.0 / stiffest);
+}
+
+}  // namespace grainproof::opencl

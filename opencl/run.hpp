@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "model/engine.hpp"
+#include "opencl/layout.hpp"
+#include "opencl/world.hpp"
+
+namespace grainproof::opencl {
+
+/// What both paths share: the state on the device and how it is read back.
+class DeviceRun : public Run {
+ public:
+  DeviceRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const BuildOptions& options,
+            const ZoneGrid& grid, std::size_t work_group);
+
+  void advance(std::int64_t steps) final;
+  void synchronise() final;
+  Frame frame() final;
+  State state() final;
+  std::uint64_t digest() final;
+  Counters counters() const final { return counters_; }
+  Ledger ledger() final;
+
+ protected:
+  /// Takes steps done_+1 … done_+steps, and before the first of all the forces of step 0.
+  virtual void take_steps(std::int64_t steps) = 0;
+  /// Waits for the device, tells of what went wrong, and leaves velocities at the boundary in `reported`.
+  virtual void settle() = 0;
+
+  void use_gravity_of_steps(std::int64_t first, std::int64_t last);
+  /// Throws RunWentWrong when a signal says so.
+  void check_signals(std::span<const cl_int, signal_count> signals);
+  std::int64_t done() const { return done_; }
+
+  std::shared_ptr<Workshop> workshop_;
+  Scene scene_;
+  BuildOptions options_;
+  SceneImage image_;
+  std::unique_ptr<Decoder> decoder_;
+  World world_;
+  Program& program_;
+  Range particles_;
+  Counters counters_;
+  bool started_ = false;
+
+ private:
+  void ensure_started();
+  Bytes read_particles(const cl::Buffer& buffer, std::size_t bytes_each);
+
+  std::int64_t done_ = 0;
+  bool settled_ = true;
+  std::optional<std::chrono::steady_clock::time_point> stepping_since_;
+};
+
+}  // namespace grainproof::opencl

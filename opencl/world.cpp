@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opencl/world.hpp"
+
+#include "opencl/bytes.hpp"
+
+namespace grainproof::opencl {
+
+World make_world(Workshop& workshop, const SceneImage& image, const Decoder& decoder, bool ledger) {
+  const std::size_t booked = ledger ? image.padded : 1;
+  const auto vectors = [&](std::size_t count) { return Bytes(count * decoder.vector_bytes()); };
+  World w;
+  w.box = workshop.upload(image.box);
+  w.constants = workshop.upload(image.constants);
+  w.laws = workshop.upload(image.laws);
+  w.planes = workshop.upload(image.planes);
+  w.rectangles = workshop.upload(image.rectangles);
+  w.materials = workshop.upload(image.materials);
+  w.reaches = workshop.upload(image.reaches);
+  w.drag_rates = workshop.upload(image.drag_rates);
+  w.gravity_table = workshop.upload(vectors(1));
+  w.positions = workshop.upload(image.positions);
+  w.velocities = workshop.upload(image.velocities);
+  w.rests = workshop.upload(vectors(image.padded));
+  w.accelerations = workshop.upload(vectors(image.padded));
+  w.reported = workshop.upload(image.velocities);
+  w.tallies = workshop.upload(Bytes(booked * decoder.tally_bytes()));
+  w.sums = workshop.upload(Bytes(booked * decoder.ledger_bytes()));
+  w.faults = workshop.upload(bytes_of(std::vector<cl_int4>(image.padded, cl_int4{{never, 0, 0, 0}})));
+  w.signals = workshop.upload(bytes_of(std::vector<cl_int>{never, never, never, 0}));
+  return w;
+}
+
+}  // namespace grainproof::opencl
