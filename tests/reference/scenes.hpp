@@ -63,9 +63,36 @@ inline Frame frame_after(const Scene& scene, std::int64_t steps) {
   return run->frame();
 }
 
+/// Force on a particle in the state that the scene describes, from one explicit Euler step.
+inline Vec3 force_on(Scene scene, std::size_t particle) {
+  scene.run.integrator = Integrator::euler_trapezoid;
+  const Frame frame = frame_after(scene, 1);
+  const Particle& before = scene.particles[particle];
+  const double density = scene.materials[before.material].density;
+  const double mass = density * std::numbers::pi / 6.0 * std::pow(before.diameter, 3);
+  return mass * (frame.velocity[particle] - before.velocity) / scene.run.step;
+}
+
 inline double sphere_mass(double diameter, double density = 2000.0) {
   return density * std::numbers::pi / 6.0 * diameter * diameter * diameter;
 }
+
+/// The same numbers on every machine, which std::uniform_real_distribution does not promise.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : bits_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
+  }
+  Vec3 in_box(const Vec3& low, const Vec3& high) {
+    Vec3 point;
+    for (int axis = 0; axis < 3; ++axis) point[axis] = between(low[axis], high[axis]);
+    return point;
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
 
 inline Vec3 momentum(const Scene& scene, const Frame& frame) {
   Vec3 sum = Vec3::Zero();
