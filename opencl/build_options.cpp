@@ -127,7 +127,7 @@ std::vector<std::string> kernel_files(const BuildOptions& o, bool pocl) {
                                          std::string(name_of(o.integrator)) + ".cl"};
   files.insert(files.end(), physics.begin(), physics.end());
   const std::vector<std::string> small{"small.cl"};
-  const std::vector<std::string> zoned{"scan.cl", "zones.cl", "pairs.cl", "steps.cl"};
+  const std::vector<std::string> zoned{"scan.cl", "sorting.cl", "zones.cl", "pairs.cl", "steps.cl"};
   const auto& path = o.small ? small : zoned;
   files.insert(files.end(), path.begin(), path.end());
   return files;

@@ -5,8 +5,24 @@
 #include "opencl/limits.hpp"
 #include "opencl/small_run.hpp"
 #include "opencl/workshop.hpp"
+#include "opencl/zoned_run.hpp"
 
 namespace grainproof::opencl {
+namespace {
+
+bool takes_small_path(Path path, const Scene& scene) {
+  if (path == Path::automatic) return scene.particles.size() <= SmallRun::most_particles;
+  return path == Path::small;
+}
+
+/// A tenth of the mean diameter: the usual compromise between long lists and frequent ones.
+double usual_skin(const Scene& scene) {
+  double sum = 0.0;
+  for (const Particle& p : scene.particles) sum += p.diameter;
+  return scene.particles.empty() ? 0.0 : 0.1 * sum / static_cast<double>(scene.particles.size());
+}
+
+}  // namespace
 
 OpenClEngine::OpenClEngine(EngineOptions options) : options_(std::move(options)) {
   if (options_.precision != Precision::mixed_precision)
@@ -30,9 +46,13 @@ Support OpenClEngine::supports(const Scene& scene, const Request&) const {
 std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& request) {
   const Support support = supports(scene, request);
   if (!support) throw EngineFailed(name() + " does not support this scene: " + support.because);
-  BuildOptions build = build_options(scene, request, options_.precision, true);
+  const bool small = takes_small_path(options_.path, scene);
+  BuildOptions build = build_options(scene, request, options_.precision, small);
   if (options_.stages == Stages::full) build = with_every_stage(build);
-  return std::make_unique<SmallRun>(workshop_, scene, build);
+  if (small) return std::make_unique<SmallRun>(workshop_, scene, build);
+  const double skin = options_.skin.value_or(scene.run.skin >= 0.0 ? scene.run.skin : usual_skin(scene));
+  return std::make_unique<ZonedRun>(workshop_, scene, build, choose_zones(scene, skin),
+                                    static_cast<std::size_t>(options_.work_group));
 }
 
 Provenance OpenClEngine::provenance() const {

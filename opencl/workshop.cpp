@@ -52,8 +52,8 @@ void Workshop::write(cl::Buffer& buffer, std::span<const std::byte> bytes) {
   guarded(name_, "", [&] { queue_.enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes.size(), bytes.data()); });
 }
 
-void Workshop::read(const cl::Buffer& buffer, std::span<std::byte> into) {
-  guarded(name_, "", [&] { queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, into.size(), into.data()); });
+void Workshop::read(const cl::Buffer& buffer, std::span<std::byte> into, std::size_t offset) {
+  guarded(name_, "", [&] { queue_.enqueueReadBuffer(buffer, CL_TRUE, offset, into.size(), into.data()); });
 }
 
 void Workshop::read_later(const cl::Buffer& buffer, std::span<std::byte> into) {

@@ -49,7 +49,7 @@ class Workshop {
   cl::Buffer upload(const Bytes& bytes);
   cl::Buffer room(std::size_t bytes);
   void write(cl::Buffer& buffer, std::span<const std::byte> bytes);
-  void read(const cl::Buffer& buffer, std::span<std::byte> into);
+  void read(const cl::Buffer& buffer, std::span<std::byte> into, std::size_t offset = 0);
   /// Returns at once; `into` is filled by the next read() or finish().
   void read_later(const cl::Buffer& buffer, std::span<std::byte> into);
   void finish();

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "opencl/scan.hpp"
+#include "opencl/world.hpp"
+
+namespace grainproof::opencl {
+
+/// Zones and the list of partners built from them, all on the device.
+class PairList {
+ public:
+  PairList(Workshop& workshop, Program& program, const SceneImage& image, const Decoder& decoder, const ZoneGrid& grid,
+           std::size_t work_group);
+
+  /// For the positions that `world` has now. Waits once, for the number of pairs.
+  void build(const World& world);
+
+  const cl::Buffer& starts() const { return pair_starts_; }
+  const cl::Buffer& partners() const { return partners_; }
+  const cl::Buffer& built_at() const { return built_at_; }
+  /// Entries of the list: a pair of moving particles has two.
+  std::int64_t entries() const { return entries_; }
+
+ private:
+  void fill_zones(const World& world);
+  void make_room(std::int64_t entries);
+
+  Workshop& workshop_;
+  Program& program_;
+  std::size_t particles_;
+  std::size_t padded_;
+  std::size_t zones_;
+  std::size_t work_group_;
+  Scan scan_;
+  cl::Buffer zone_counts_, zone_starts_, zone_of_particle_, members_;
+  cl::Buffer pair_counts_, pair_starts_, partners_, built_at_;
+  std::int64_t room_ = 0;
+  std::int64_t entries_ = 0;
+};
+
+}  // namespace grainproof::opencl
