@@ -50,7 +50,7 @@ fs::path find_case(const fs::path& root, const std::string& name_or_path) {
   const fs::path named = root / "scenes" / (name_or_path + ".toml");
   if (name_or_path.find('/') == std::string::npos && fs::is_regular_file(named)) return named;
   std::string known;
-  for (const fs::path& path : known_cases(root)) known += " " + path.stem().string();
+  for (const fs::path& path : known_cases(root)) known.append(" ").append(path.stem().string());
   throw InputRefused("no case " + name_or_path + "; expected a scene file or one of:" + known);
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "comparisons/quantity.hpp"
+
 namespace grainproof::report {
 namespace {
 
@@ -47,11 +49,11 @@ void add(CaseRows& all, const Row& row) {
   claim.quantity = row.quantity;
   claim.against = row.against;
   claim.statistic = row.statistic;
-  claim.samples = std::max(claim.samples, row.samples);
   Line& line = line_of(claim, row);
   if (row.order || row.order_expected) {
     line.order = row;
   } else {
+    claim.samples = std::max(claim.samples, row.samples);
     add_once(claim.steps, row.step);
     line.steps.push_back(row);
   }
@@ -102,10 +104,12 @@ std::string_view name_of(Statistic statistic) {
 }
 
 std::string title(const Claim& claim) {
+  const Quantity* quantity = quantity_named(claim.quantity);
   std::string text = claim.quantity;
   if (claim.samples > 1)
     text += ", " + std::string(name_of(claim.statistic)) + " of " + std::to_string(claim.samples);
-  return claim.against.empty() ? text : text + ", against " + claim.against;
+  if (!claim.against.empty()) text += ", against " + claim.against;
+  return quantity ? text + "; errors relative to " + std::string(quantity->relative_to) : text;
 }
 
 }  // namespace grainproof::report

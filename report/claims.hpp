@@ -49,7 +49,7 @@ Verdict worst(const std::vector<Row>& rows);
 /// "rms", "maximum", "mean".
 std::string_view name_of(Statistic statistic);
 
-/// "restitution, rms of 256, against closed_form:normal_collision"
+/// "restitution, rms of 256, against closed_form:normal_collision; errors relative to the exact value"
 std::string title(const Claim& claim);
 
 }  // namespace grainproof::report

@@ -46,7 +46,7 @@ std::string step_cell(const Line& line, const std::string& step) {
 std::string order_cells(const Line& line) {
   const bool measured = line.order && line.order->order;
   const bool expected = line.order && line.order->order_expected;
-  return tag("td", measured ? brief(*line.order->order) : "", "number") +
+  return tag("td", measured ? two_decimals(*line.order->order) : "", "number") +
          tag("td",
              expected
                  ? brief(line.order->order_expected->is) + " ± " + brief(line.order->order_expected->within)

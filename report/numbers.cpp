@@ -25,6 +25,8 @@ std::string brief(double value) {
   return format(size >= 999.5 && size < 1e5 ? "%.0f" : "%.2e", value);
 }
 
+std::string two_decimals(double value) { return format("%.2f", value); }
+
 std::string exact(double value) {
   std::array<char, 40> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
@@ -32,6 +34,7 @@ std::string exact(double value) {
 }
 
 std::string duration(double seconds) {
+  if (seconds < 0.1) return format("%.2g ms", 1e3 * seconds);
   if (seconds < 10.0) return format("%.2f s", seconds);
   const long whole = std::lround(seconds);
   if (whole < 60) return format("%ld s", whole);

@@ -39,7 +39,7 @@ std::string error_at(const Line& line, const std::string& step) {
 }
 
 std::string order_text(const Line& line) {
-  return line.order && line.order->order ? brief(*line.order->order) : "–";
+  return line.order && line.order->order ? two_decimals(*line.order->order) : "–";
 }
 
 std::string expected_order_text(const Line& line) {
@@ -98,7 +98,7 @@ std::string where_text(const Row& row) {
 
 std::string expected_text(const Row& row) {
   if (row.order_expected)
-    return "measured order " + (row.order ? brief(*row.order) : "none") + " of " + row.quantity + " from " +
+    return "measured order " + (row.order ? two_decimals(*row.order) : "none") + " of " + row.quantity + " from " +
            row.order_expected->from + " to " + row.order_expected->to + ", expected " +
            brief(row.order_expected->is) + " ± " + brief(row.order_expected->within);
   std::string text = row.quantity.empty() ? "" : row.quantity;
