@@ -7,6 +7,7 @@
 #include "comparisons/judging/observing.hpp"
 #include "comparisons/judging/outcomes.hpp"
 #include "comparisons/judging/rows.hpp"
+#include "comparisons/judging/searching.hpp"
 
 namespace grainproof {
 
@@ -26,7 +27,8 @@ std::vector<Row> Judge::rows(Engine& engine, const Progress& progress) {
   std::vector<Refusal> refusals;
   std::vector<Row> rows = rows_of_outcomes(subject, engine, refusals);
   std::vector<Claim> claims = claims_for(subject, engine, parts_->oracles, refusals);
-  const std::string precision = observe_claims(subject, engine, claims, parts_->records, progress);
+  std::string precision = observe_claims(subject, engine, claims, parts_->records, progress);
+  if (const std::string stated = search_claims(subject, engine, claims); !stated.empty()) precision = stated;
   const Row common = row_of(subject, engine.name(), precision);
   for (const Claim& claim : claims)
     for (Row& row : rows_of_claim(subject, claim, common)) rows.push_back(std::move(row));

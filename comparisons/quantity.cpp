@@ -76,6 +76,8 @@ const std::array table{
              [](const S& s, const O& seen, const O& exact) {
                return scalar<contact_number>("contact_number", s, seen, exact);
              }},
+    Quantity{"sticking_speed", "the exact value", no, no, no, nullptr, sticking_speed},
+    Quantity{"stable_step", "the exact value", no, no, no, nullptr, stable_step},
     Quantity{"momentum", "all momentum that the run had or was given", no, ledger, no, momentum_error},
     Quantity{"energy", "the largest entry of the ledger", no, ledger, no, energy_error},
     Quantity{"particles", "the number of particles", no, no, no, lost_particles},

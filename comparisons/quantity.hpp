@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparisons/measured.hpp"
+#include "comparisons/searches/searches.hpp"
 #include "model/engine.hpp"
 
 namespace grainproof {
@@ -14,7 +15,8 @@ namespace grainproof {
 struct Quantity {
   using Error = Measured (*)(const Scene& scene, const Observations& seen, const Observations& exact);
   /// One value a scene, found by running the engine many times.
-  using Search = std::vector<Measured> (*)(std::span<const Scene> scenes, Engine& engine);
+  using Search = std::vector<Found> (*)(std::span<const Scene> scenes, Engine& engine,
+                                        std::span<const double> hints);
 
   std::string_view name;
   std::string_view relative_to;  ///< the scale of the error, in words

@@ -81,8 +81,7 @@ std::vector<Observations> observe_chunk(const Case& subject, const Chunk& chunk,
 
 Observations thinned(const Scene& scene, const Observations& seen) {
   Observations few = seen;
-  std::vector<std::int64_t> wanted{0};
-  for (const double time : scene.run.sample_times) wanted.push_back(step_at_or_after(time, scene.run.step));
+  const std::vector<std::int64_t> wanted = sample_steps(scene, {});
   std::erase_if(few.frames, [&](const Frame& frame) {
     return !std::binary_search(wanted.begin(), wanted.end(), frame.step);
   });

@@ -132,10 +132,11 @@ std::string walls(const Scene& scene, const TypeTable& table) {
 std::string groups(const TypeTable& table) {
   std::string fixed;
   for (std::size_t t = 0; t < table.types.size(); ++t)
-    if (!table.types[t].moves && table.types[t].mass > 0.0) fixed.append(1, ' ').append(std::to_string(t + 1));
+    if (!table.types[t].moves && table.types[t].mass > 0.0)
+      fixed.append(1, ' ').append(std::to_string(t + 1));
   if (fixed.empty()) return "group moving union all\nfix motion moving nve\n";
-  return std::string("group still type").append(fixed) + "\ngroup moving subtract all still\nfix motion moving nve\n" +
-         "fix hold still freeze\n";
+  return std::string("group still type").append(fixed) +
+         "\ngroup moving subtract all still\nfix motion moving nve\n" + "fix hold still freeze\n";
 }
 
 std::string gravity(const Scene& scene) {
@@ -180,23 +181,11 @@ std::string output_and_run(const Scene& scene, const Request& request, int numbe
 
 }  // namespace
 
-std::vector<std::int64_t> frame_steps(const Scene& scene, const Request& request) {
-  std::vector<std::int64_t> steps{0};
-  if (request.every_step) {
-    const std::int64_t last = step_at_or_after(scene.run.end, scene.run.step);
-    for (std::int64_t n = 1; n <= last; ++n) steps.push_back(n);
-    return steps;
-  }
-  for (const double time : request.times.empty() ? scene.run.sample_times : request.times)
-    if (const std::int64_t n = step_at_or_after(time, scene.run.step); n > steps.back()) steps.push_back(n);
-  return steps;
-}
-
 std::string scene_deck(const Scene& scene, const Request& request, const std::filesystem::path& folder,
                        int number) {
   const TypeTable table = atom_types(scene);
   write_data(scene, table, folder / name_with("data.", number));
-  write_steps(frame_steps(scene, request), folder / name_with("steps.", number));
+  write_steps(sample_steps(scene, request), folder / name_with("steps.", number));
   return set_up(scene, number) + contacts(scene, table) + walls(scene, table) + groups(table) +
          gravity(scene) + drag(scene, table) + output_and_run(scene, request, number);
 }

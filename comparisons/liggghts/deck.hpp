@@ -1,17 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "model/engine.hpp"
 
 namespace grainproof::liggghts {
-
-/// Step boundaries at which a frame is wanted, step 0 first.
-std::vector<std::int64_t> frame_steps(const Scene& scene, const Request& request);
 
 /// Writes the data file and the list of sample steps of one scene into `folder`, and returns the
 /// commands that run it and write `dump_name(number)`. Several such texts in a row make one input.

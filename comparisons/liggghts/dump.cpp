@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparisons/liggghts/dump.hpp"
 
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <string>
 
+#include "comparisons/peers/folded.hpp"
 #include "model/errors.hpp"
 
 namespace grainproof::liggghts {
@@ -42,12 +42,6 @@ class Text {
   const char* at_;
 };
 
-double folded(double x, double lower, double upper) {
-  const double length = upper - lower;
-  const double inside = x - length * std::floor((x - lower) / length);
-  return inside < upper ? inside : lower;
-}
-
 struct RawFrame {
   Frame frame;
   std::vector<bool> present;
@@ -60,8 +54,7 @@ void read_row(Text& text, const Domain& domain, RawFrame& raw) {
   Vec3& v = raw.frame.velocity[id - 1];
   for (int axis = 0; axis < 3; ++axis) x[axis] = text.number();
   for (int axis = 0; axis < 3; ++axis) v[axis] = text.number();
-  for (int axis = 0; axis < 3; ++axis)
-    if (domain.periodic(axis)) x[axis] = folded(x[axis], domain.lower[axis], domain.upper[axis]);
+  x = folded(x, domain);
   raw.present[id - 1] = true;
   text.skip_line();
 }

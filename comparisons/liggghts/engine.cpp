@@ -106,7 +106,7 @@ std::vector<Observations> LiggghtsEngine::observe_batch(std::span<const Scene> s
   std::vector<Observations> all;
   for (std::size_t i = 0; i < through; ++i) {
     all.push_back(liggghts::read_dump(folder.path() / liggghts::dump_name(static_cast<int>(i)), scenes[i],
-                                      liggghts::frame_steps(scenes[i], request)));
+                                      sample_steps(scenes[i], request)));
     all.back().provenance = provenance_of(scenes[i], version);
     all.back().wall_s = wall_s / static_cast<double>(scenes.size());
   }
