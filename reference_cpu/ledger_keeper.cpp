@@ -30,45 +30,50 @@ void LedgerKeeper::after_kick(const Bodies& bodies, double duration) {
 }
 
 Ledger LedgerKeeper::at(const Bodies& bodies, double pending) const {
-  Ledger ledger = sums_;
-  const std::vector<Vec3> held = velocities_after(bodies, 0.0);
+  Sums sums = sums_;
   const std::vector<Vec3> synchronised = velocities_after(bodies, pending);
-  book(ledger, {bodies, held, synchronised, pending});
+  book(sums, {bodies, velocities_after(bodies, 0.0), synchronised, pending});
+  Ledger ledger;
   ledger.kinetic = kinetic_energy(bodies, synchronised);
   ledger.elastic = log_.elastic;
   ledger.cohesive = log_.cohesive;
+  ledger.gravity_work = sums.gravity_work.value();
+  ledger.drag_work = sums.drag_work.value();
+  ledger.dissipated_normal = sums.dissipated_normal.value();
+  ledger.dissipated_tangential = sums.dissipated_tangential.value();
+  ledger.support_impulse = sums.support.value();
+  ledger.field_impulse = sums.field.value();
+  for (const auto& wall : sums.walls) ledger.wall_impulses.push_back(wall.value());
   return ledger;
 }
 
-void LedgerKeeper::book(Ledger& ledger, const Kick& kick) const {
-  ledger.support_impulse += log_.support * kick.duration;
-  for (std::size_t wall = 0; wall < ledger.wall_impulses.size(); ++wall)
-    ledger.wall_impulses[wall] += log_.wall_force_on_particles[wall] * kick.duration;
-  book_contacts(ledger, kick);
-  book_fields(ledger, kick);
+void LedgerKeeper::book(Sums& sums, const Kick& kick) const {
+  sums.support.add(log_.support * kick.duration);
+  for (std::size_t wall = 0; wall < sums.walls.size(); ++wall)
+    sums.walls[wall].add(log_.wall_force_on_particles[wall] * kick.duration);
+  book_contacts(sums, kick);
+  book_fields(sums, kick);
 }
 
-void LedgerKeeper::book_contacts(Ledger& ledger, const Kick& kick) const {
+void LedgerKeeper::book_contacts(Sums& sums, const Kick& kick) const {
   for (const LoggedContact& contact : log_.contacts) {
     Vec3 path = kick.path(contact.second);
     if (contact.first != no_particle) path -= kick.path(contact.first);
-    ledger.dissipated_normal -= contact.dashpot.dot(path);
-    ledger.dissipated_tangential -= contact.friction.dot(path);
+    sums.dissipated_normal.add(-contact.dashpot.dot(path));
+    sums.dissipated_tangential.add(-contact.friction.dot(path));
   }
 }
 
-void LedgerKeeper::book_fields(Ledger& ledger, const Kick& kick) const {
+void LedgerKeeper::book_fields(Sums& sums, const Kick& kick) const {
   const bool drag = !kick.bodies.drag_rate.empty();
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(kick.bodies.size()); ++i) {
     if (kick.bodies.body[i].fixed()) continue;
-    const Vec3 mean_velocity = 0.5 * (kick.before[i] + kick.after[i]);
-    const Vec3 weight_impulse = log_.gravity[i] * kick.duration;
-    ledger.gravity_work += weight_impulse.dot(mean_velocity);
-    ledger.field_impulse += weight_impulse;
+    sums.gravity_work.add(log_.gravity[i].dot(kick.path(i)));
+    sums.field.add(log_.gravity[i] * kick.duration);
     if (!drag) continue;
     const Vec3 impulse = drag_impulse(kick, i);
-    ledger.drag_work += impulse.dot(mean_velocity);
-    ledger.field_impulse += impulse;
+    sums.drag_work.add(impulse.dot(0.5 * (kick.before[i] + kick.after[i])));
+    sums.field.add(impulse);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/observations.hpp"
+#include "reference_cpu/compensated_sum.hpp"
 #include "reference_cpu/force_log.hpp"
 
 namespace grainproof::reference {
@@ -13,9 +14,7 @@ namespace grainproof::reference {
 /// drifts only by how well the kicks follow the potentials, which is the integrator's own error.
 class LedgerKeeper {
  public:
-  explicit LedgerKeeper(const Scene& scene) : log_(scene) {
-    sums_.wall_impulses.assign(scene.walls.size(), Vec3::Zero());
-  }
+  explicit LedgerKeeper(const Scene& scene) : log_(scene), sums_(scene.walls.size()) {}
 
   /// To be filled by whoever evaluates the forces.
   ForceLog& log() { return log_; }
@@ -38,13 +37,23 @@ class LedgerKeeper {
     Vec3 path(std::int32_t particle) const { return 0.5 * duration * (before[particle] + after[particle]); }
   };
 
-  void book(Ledger& ledger, const Kick& kick) const;
-  void book_contacts(Ledger& ledger, const Kick& kick) const;
-  void book_fields(Ledger& ledger, const Kick& kick) const;
+  /// Since the start.
+  struct Sums {
+    explicit Sums(std::size_t wall_count) : walls(wall_count, CompensatedSum<Vec3>(Vec3::Zero())) {}
+
+    CompensatedSum<double> gravity_work{0.0}, drag_work{0.0}, dissipated_normal{0.0},
+        dissipated_tangential{0.0};
+    CompensatedSum<Vec3> support{Vec3::Zero()}, field{Vec3::Zero()};
+    std::vector<CompensatedSum<Vec3>> walls;
+  };
+
+  void book(Sums& sums, const Kick& kick) const;
+  void book_contacts(Sums& sums, const Kick& kick) const;
+  void book_fields(Sums& sums, const Kick& kick) const;
   Vec3 drag_impulse(const Kick& kick, std::int32_t particle) const;
 
   ForceLog log_;
-  Ledger sums_;
+  Sums sums_;
   std::vector<Vec3> before_;
 };
 
