@@ -46,7 +46,10 @@ void add_verify(CLI::App& program, Command& chosen) {
                   "  grainproof verify my_case.toml --engines 'external:python3 my_code.py'\n"
                   "  grainproof verify --out results --json results.json\n");
   command->add_option("cases", options->cases, "Names of cases, or scene files (default: every case)");
-  command->add_option("--engines", options->engines, engine_help())->delimiter(',')->type_name("A,B");
+  command->add_option("--engines", options->engines, engine_help())
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("A,B");
   command->add_option("--device", options->device, device_help);
   command->add_option("--json", options->json, "Write the results as JSON")->type_name("FILE");
   command->add_option("--out", options->out, "Write results.json and report.html with plots here")
@@ -88,6 +91,7 @@ void add_compare(CLI::App& program, Command& chosen) {
   command->add_option("scene", options->scene, "Name of a case, or a scene file")->required();
   command->add_option("--engines", options->engines, engine_help())
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->required()
       ->type_name("A,B");
   command->add_option("--device", options->device, device_help);

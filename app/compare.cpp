@@ -19,19 +19,24 @@
 namespace grainproof::app {
 namespace {
 
+/// Those of the engines asked for that are here and support the scene; `progress` says why others are not.
 std::vector<std::unique_ptr<Engine>> engines_for(const CompareOptions& options,
-                                                 const std::filesystem::path& data, const Scene& scene) {
+                                                 const std::filesystem::path& data, const Scene& scene,
+                                                 Progress& progress) {
   std::vector<std::unique_ptr<Engine>> engines;
   for (const std::string& name : options.engines)
     for (Made& made : make_engines(name, {data, "", options.device})) {
-      if (!made.engine) throw InputRefused(made.name + " is not available: " + made.because);
-      engines.push_back(std::move(made.engine));
+      if (!made.engine) {
+        progress.say(made.name + " is not available: " + made.because);
+      } else if (const Support support = made.engine->supports(scene, {}); !support) {
+        progress.say(made.name + " does not support this scene: " + support.because);
+      } else {
+        engines.push_back(std::move(made.engine));
+      }
     }
-  for (const auto& engine : engines)
-    if (const Support support = engine->supports(scene, {}); !support)
-      throw InputRefused(engine->name() + " does not support this scene: " + support.because);
   if (engines.size() < 2)
-    throw InputRefused("compare needs two engines or more, as in --engines reference,opencl");
+    throw InputRefused("compare needs two engines that can run the scene, found " +
+                       std::to_string(engines.size()));
   return engines;
 }
 
@@ -91,7 +96,7 @@ int compare(const CompareOptions& options, Terminal& terminal) {
   const auto data = data_root();
   const ChosenScene chosen = choose_scene(data, options.scene, options.nth, options.force, progress);
   std::vector<report::Seen> seen;
-  for (const auto& engine : engines_for(options, data, chosen.scene))
+  for (const auto& engine : engines_for(options, data, chosen.scene, progress))
     seen.push_back(see(*engine, chosen.scene, progress, options));
   std::vector<report::Difference> differences;
   for (std::size_t i = 1; i < seen.size(); ++i)

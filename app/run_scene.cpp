@@ -18,9 +18,14 @@
 namespace grainproof::app {
 namespace {
 
-void require_support(const Engine& engine, const Scene& scene, const Request& request) {
-  const Support support = engine.supports(scene, request);
-  if (!support) throw InputRefused(engine.name() + " does not support this scene: " + support.because);
+/// With the energy ledger where the engine can keep one. Throws InputRefused where it cannot run at all.
+Request supported_request(const Engine& engine, const Scene& scene) {
+  if (const Support support = engine.supports(scene, {}); !support)
+    throw InputRefused(engine.name() + " does not support this scene: " + support.because);
+  Request request;
+  request.ledger = true;
+  request.ledger = engine.supports(scene, request).yes;
+  return request;
 }
 
 report::RunSummary summarise(const ChosenScene& chosen, const Observations& seen, std::int64_t frames) {
@@ -51,9 +56,7 @@ int run_scene(const RunOptions& options, Terminal& terminal) {
   const auto data = data_root();
   const auto engine = make_engine(options.engine, {data, options.precision, options.device});
   const ChosenScene chosen = choose_scene(data, options.scene, options.nth, options.force, progress);
-  Request request;
-  request.ledger = true;
-  require_support(*engine, chosen.scene, request);
+  const Request request = supported_request(*engine, chosen.scene);
 
   std::optional<report::FrameWriter> writer;
   if (!options.out.empty()) writer.emplace(options.out, chosen.scene, options.csv);
