@@ -37,6 +37,18 @@ std::size_t scenes_through(const std::filesystem::path& log) {
   return count;
 }
 
+/// What LIGGGHTS says of an error, wherever it got to say it, and what it printed last.
+std::string complaint_in(const std::filesystem::path& folder) {
+  std::string text;
+  for (const char* file : {"log", "output"}) {
+    std::ifstream in(folder / file);
+    for (std::string line; std::getline(in, line);)
+      if (line.find("ERROR") != std::string::npos && text.find(line) == std::string::npos)
+        text.append(line).append(1, '\n');
+  }
+  return text + last_lines(folder / "log", 5);
+}
+
 /// Errors by which LIGGGHTS says that the physics, not the deck, is at fault.
 bool is_runaway(const std::string& log) {
   for (const char* sign : {"Non-numeric", "non-numeric", "unstable", "Lost atoms"})
@@ -79,8 +91,7 @@ std::vector<std::string> LiggghtsEngine::command(std::span<const Scene> scenes) 
   std::vector<std::string> words;
   if (options_.processes > 1 && scenes.front().particles.size() >= particles_worth_processes)
     words = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", std::to_string(options_.processes)};
-  for (const char* word : {options_.program.c_str(), "-in", "deck", "-log", "log", "-screen", "none"})
-    words.emplace_back(word);
+  for (const char* word : {options_.program.c_str(), "-in", "deck", "-log", "log"}) words.emplace_back(word);
   return words;
 }
 
@@ -96,12 +107,11 @@ std::vector<Observations> LiggghtsEngine::observe_batch(std::span<const Scene> s
   const int status = run_program(command(scenes), folder.path(), folder.path() / "output");
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   const std::size_t through = scenes_through(folder.path() / "log");
-  const std::string end_of_log =
-      last_lines(folder.path() / "log", 5) + last_lines(folder.path() / "output", 5);
   const bool stopped = through < scenes.size();
-  if (stopped && !is_runaway(end_of_log))
+  const std::string complaint = stopped ? complaint_in(folder.path()) : "";
+  if (stopped && !is_runaway(complaint))
     throw EngineFailed("LIGGGHTS ended with status " + std::to_string(status) + " in scene " +
-                       std::to_string(through) + " of " + std::to_string(scenes.size()) + ":\n" + end_of_log);
+                       std::to_string(through) + " of " + std::to_string(scenes.size()) + ":\n" + complaint);
   const std::string version = version_in(folder.path() / "log");
   std::vector<Observations> all;
   for (std::size_t i = 0; i < through; ++i) {
@@ -111,7 +121,7 @@ std::vector<Observations> LiggghtsEngine::observe_batch(std::span<const Scene> s
     all.back().wall_s = wall_s / static_cast<double>(scenes.size());
   }
   if (!stopped) return all;
-  all.emplace_back().outcome = {Outcome::Status::went_wrong, end_of_log, 0, 0.0, {}};
+  all.emplace_back().outcome = {Outcome::Status::went_wrong, complaint, 0, 0.0, {}};
   all.back().provenance = provenance_of(scenes[through], version);
   return all;
 }
