@@ -15,12 +15,15 @@ struct Lattice {
 std::array<std::int64_t, 3> read_counts(const Node& node, std::size_t largest) {
   const auto elements = node.elements();
   if (elements.size() != 3) node.refuse("three whole numbers, one an axis");
+  const auto most = static_cast<std::int64_t>(largest);
   std::array<std::int64_t, 3> counts{};
-  std::int64_t left = static_cast<std::int64_t>(largest);
+  double product = 1.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    counts[axis] = elements[axis].integer_within(1, left);
-    left /= counts[axis];
+    counts[axis] = elements[axis].integer_within(1, most);
+    product *= static_cast<double>(counts[axis]);
   }
+  if (product > static_cast<double>(largest))
+    node.refuse("a lattice of " + node.label(), "at most " + std::to_string(largest) + " particles");
   return counts;
 }
 

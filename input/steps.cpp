@@ -39,9 +39,10 @@ StabilityGuard::StabilityGuard(const SetUp& set_up, bool force) : open_(force ||
 
 void StabilityGuard::check(double step, const Node& place) const {
   if (open_ || step <= limit_) return;
+  const std::string limit =
+      limit_ > 0.0 ? "at most " + shortest(limit_) + " s" : "another integrator, since no step is stable";
   place.refuse("a step of " + shortest(step) + " s above the stability limit",
-               "at most " + shortest(limit_) + " s (" + because_ +
-                   "); run.beyond_stability = true or --force permits it");
+               limit + " (" + because_ + "); run.beyond_stability = true or --force permits it");
 }
 
 std::vector<double> sample_times(const RecordWish& wish, double end, double step, const Node& place) {

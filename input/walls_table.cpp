@@ -5,7 +5,14 @@
 namespace grainproof::input {
 namespace {
 
-Plane read_plane(const Table& table) {
+/// A plane across a periodic axis would meet its own images.
+void refuse_across_period(const Node& node, const Vec3& normal, const Domain& domain) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.periodic(axis) && normal[axis] != 0.0)
+      node.refuse("a plane across a periodic axis", "a normal without a component along it");
+}
+
+Plane read_plane(const Table& table, const Domain& domain) {
   table.only({"point", "normal"});
   const Vec3 point = table.at("point").vector();
   const Node normal = table.at("normal");
@@ -13,6 +20,7 @@ Plane read_plane(const Table& table) {
   // A vector whose length under- or overflows has no direction to speak of.
   if (!(std::abs(unit.norm() - 1.0) < 1e-9))
     normal.refuse("normal = " + normal.label(), "a vector with a length above 0");
+  refuse_across_period(normal, unit, domain);
   return {point, unit};
 }
 
@@ -39,7 +47,7 @@ Wall read_wall(const Table& table, const Scene& scene) {
   Wall wall{name ? name->text() : "wall:" + std::to_string(scene.walls.size()),
             read_material_name(table.at("material"), scene),
             {}};
-  if (plane) wall.shape = read_plane(plane->table());
+  if (plane) wall.shape = read_plane(plane->table(), scene.domain);
   if (rectangle) wall.shape = read_rectangle(rectangle->table());
   return wall;
 }
