@@ -19,8 +19,8 @@ constexpr std::size_t batch_scenes = 256;
 constexpr std::size_t particles_worth_processes = 1000;
 constexpr double half_ulp = 0x1p-53;
 
-std::string version_in(const std::filesystem::path& log) {
-  std::ifstream in(log);
+std::string version_in(const std::filesystem::path& output) {
+  std::ifstream in(output);
   std::string line;
   std::getline(in, line);
   const std::size_t from = line.find("Version ");
@@ -29,30 +29,27 @@ std::string version_in(const std::filesystem::path& log) {
 }
 
 /// Scenes that the deck got through before the program ended.
-std::size_t scenes_through(const std::filesystem::path& log) {
-  std::ifstream in(log);
+std::size_t scenes_through(const std::filesystem::path& output) {
+  std::ifstream in(output);
   std::size_t count = 0;
   for (std::string line; std::getline(in, line);)
     count += line == liggghts::done_marker(static_cast<int>(count));
   return count;
 }
 
-/// What LIGGGHTS says of an error, wherever it got to say it, and what it printed last.
-std::string complaint_in(const std::filesystem::path& folder) {
+/// What LIGGGHTS says of an error, and what was printed last.
+std::string complaint_in(const std::filesystem::path& output) {
+  std::ifstream in(output);
   std::string text;
-  for (const char* file : {"log", "output"}) {
-    std::ifstream in(folder / file);
-    for (std::string line; std::getline(in, line);)
-      if (line.find("ERROR") != std::string::npos && text.find(line) == std::string::npos)
-        text.append(line).append(1, '\n');
-  }
-  return text + last_lines(folder / "log", 5);
+  for (std::string line; std::getline(in, line);)
+    if (line.find("ERROR") != std::string::npos) text.append(line).append(1, '\n');
+  return text.empty() ? last_lines(output, 5) : text;
 }
 
 /// Errors by which LIGGGHTS says that the physics, not the deck, is at fault.
-bool is_runaway(const std::string& log) {
+bool is_runaway(const std::string& complaint) {
   for (const char* sign : {"Non-numeric", "non-numeric", "unstable", "Lost atoms"})
-    if (log.find(sign) != std::string::npos) return true;
+    if (complaint.find(sign) != std::string::npos) return true;
   return false;
 }
 
@@ -91,7 +88,9 @@ std::vector<std::string> LiggghtsEngine::command(std::span<const Scene> scenes) 
   std::vector<std::string> words;
   if (options_.processes > 1 && scenes.front().particles.size() >= particles_worth_processes)
     words = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", std::to_string(options_.processes)};
-  for (const char* word : {options_.program.c_str(), "-in", "deck", "-log", "log"}) words.emplace_back(word);
+  // without stdbuf what LIGGGHTS says last is lost, since it aborts with its output still buffered
+  for (const char* word : {"stdbuf", "-oL", options_.program.c_str(), "-in", "deck", "-log", "none"})
+    words.emplace_back(word);
   return words;
 }
 
@@ -103,16 +102,17 @@ std::vector<Observations> LiggghtsEngine::observe_batch(std::span<const Scene> s
   for (std::size_t i = 0; i < scenes.size(); ++i)
     deck << liggghts::scene_deck(scenes[i], request, folder.path(), static_cast<int>(i));
   deck.close();
+  const std::filesystem::path output = folder.path() / "output";
   const auto began = std::chrono::steady_clock::now();
-  const int status = run_program(command(scenes), folder.path(), folder.path() / "output");
+  const int status = run_program(command(scenes), folder.path(), output);
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  const std::size_t through = scenes_through(folder.path() / "log");
+  const std::size_t through = scenes_through(output);
   const bool stopped = through < scenes.size();
-  const std::string complaint = stopped ? complaint_in(folder.path()) : "";
+  const std::string complaint = stopped ? complaint_in(output) : "";
   if (stopped && !is_runaway(complaint))
     throw EngineFailed("LIGGGHTS ended with status " + std::to_string(status) + " in scene " +
                        std::to_string(through) + " of " + std::to_string(scenes.size()) + ":\n" + complaint);
-  const std::string version = version_in(folder.path() / "log");
+  const std::string version = version_in(output);
   std::vector<Observations> all;
   for (std::size_t i = 0; i < through; ++i) {
     all.push_back(liggghts::read_dump(folder.path() / liggghts::dump_name(static_cast<int>(i)), scenes[i],

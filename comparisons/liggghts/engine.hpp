@@ -23,7 +23,7 @@ class LiggghtsEngine : public Engine {
 
   std::string name() const override { return "liggghts"; }
   Support supports(const Scene& scene, const Request& request) const override;
-  /// Throws EngineFailed with the end of the log.
+  /// Throws EngineFailed with what LIGGGHTS said last.
   Observations observe(const Scene& scene, const Request& request) override;
   std::vector<Observations> observe_all(std::span<const Scene> scenes, const Request& request) override;
 
