@@ -142,11 +142,13 @@ std::optional<Passage::Contact> Passage::first_contact() const {
   if (begin == phases_.end()) return std::nullopt;
   const auto end = std::find_if_not(begin, phases_.end(), in_contact);
   const Motion& entry = begin->motion.start();
-  Contact contact{begin->from, -entry.velocity, std::max(0.0, -entry.position), std::nullopt};
-  for (auto phase = begin; phase != end; ++phase)
+  Contact contact{begin->from, -entry.velocity, std::max(0.0, -entry.position), {}, {}};
+  for (auto phase = begin; phase != end; ++phase) {
+    if (phase->regime == Regime::released && !contact.released) contact.released = phase->from;
     if (const auto turn = phase->motion.turning_time();
         turn && (phase + 1 == phases_.end() || phase->from + *turn <= (phase + 1)->from))
       contact.peak_overlap = std::max(contact.peak_overlap, -phase->motion.at(*turn).position);
+  }
   if (end != phases_.end()) {
     contact.end = end->from;
     contact.exit_speed = end->motion.start().velocity;

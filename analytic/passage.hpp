@@ -35,13 +35,14 @@ class Passage {
   Motion at(double time) const;
   const std::vector<Phase>& phases() const { return phases_; }
 
-  /// One stay in body contact, from gap 0 to gap 0.
+  /// One stay in body contact, from gap 0 to gap 0, forceless parting included.
   struct Contact {
-    double onset;               ///< s; the start where it begins in contact
-    double entry_speed;         ///< inward, m/s
-    double peak_overlap;        ///< m
-    std::optional<double> end;  ///< s; none where it lasts beyond the end
-    double exit_speed = 0.0;    ///< outward, m/s
+    double onset;                    ///< s; the start where it begins in contact
+    double entry_speed;              ///< inward, m/s
+    double peak_overlap;             ///< m
+    std::optional<double> end;       ///< s; none where it lasts beyond the end
+    std::optional<double> released;  ///< s; with `no_tension`, when the force first falls to zero
+    double exit_speed = 0.0;         ///< outward, m/s
   };
 
   /// None where the bodies never touch.

@@ -20,6 +20,7 @@ Solution solution_of(const Scene& scene, const Encounter& encounter, const Passa
 void add_contact_scalars(Solution& solution, const Passage::Contact& contact) {
   solution.scalars["contact_onset_time"] = contact.onset;
   solution.scalars["peak_overlap"] = contact.peak_overlap;
+  if (contact.released) solution.scalars["force_duration"] = *contact.released - contact.onset;
   if (!contact.end) return;
   solution.scalars["contact_duration"] = *contact.end - contact.onset;
   if (contact.entry_speed > 0.0) solution.scalars["restitution"] = contact.exit_speed / contact.entry_speed;

@@ -10,7 +10,8 @@ namespace grainproof::analytic {
 /// Frames of a passage whose motion across the normal nothing but gravity changes.
 Solution solution_of(const Scene& scene, const Encounter& encounter, const Passage& passage);
 
-/// contact_onset_time, peak_overlap and, where they have an end, contact_duration and restitution.
+/// contact_onset_time, peak_overlap; contact_duration and restitution where the contact has an end;
+/// force_duration where the force falls to zero before that.
 void add_contact_scalars(Solution& solution, const Passage::Contact& contact);
 
 /// Largest stable step of the scene's integrator on this contact.

@@ -63,42 +63,42 @@ World::World(const Scene& scene) : scene_(scene), wall_(!scene.walls.empty()) {
     }
   }
   meets_ = wall_ || count == 2;
-  if (!meets_) return;
-  const Particle& two = scene.particles[wall_ ? 0 : 1];
-  const Particle* one = wall_ ? nullptr : &scene.particles[0];
-  Real m = mass_[wall_ ? 0 : 1];
+  if (meets_) set_laws(scene.contacts.at(0, 0), set_geometry());
+}
+
+/// Returns the effective mass.
+Real World::set_geometry() {
+  const Particle& two = scene_.particles[wall_ ? 0 : 1];
   touching_ = Real(two.diameter) / 2;
   effect_ = Real(two.effect_diameter) / 2;
-  if (one) {
-    touching_ += Real(one->diameter) / 2;
-    effect_ += Real(one->effect_diameter) / 2;
-    if (!one->fixed) m = mass_[0] * mass_[1] / (mass_[0] + mass_[1]);
-  } else {
-    const auto& plane = std::get<Plane>(scene.walls.front().shape);
+  if (wall_) {
+    const auto& plane = std::get<Plane>(scene_.walls.front().shape);
     wall_normal_ = vector(plane.normal);
     wall_point_ = vector(plane.point);
+    return mass_[0];
   }
-  const ContactLaws& laws = scene.contacts.at(0, 0);
+  const Particle& one = scene_.particles[0];
+  touching_ += Real(one.diameter) / 2;
+  effect_ += Real(one.effect_diameter) / 2;
+  return one.fixed ? mass_[1] : Real(mass_[0] * mass_[1] / (mass_[0] + mass_[1]));
+}
+
+void World::set_laws(const ContactLaws& laws, const Real& m) {
   const auto& normal = std::get<LinearNormal>(laws.normal);
   stiffness_ = normal.stiffness;
   no_tension_ = normal.no_tension;
   damping_ = damping_of(normal, m);
   if (const auto* c = std::get_if<LinearCohesion>(&laws.cohesion)) cohesion_ = c->stiffness;
+  const auto rub = [this](double coefficient, const Real& viscosity) {
+    coefficient_ = coefficient;
+    viscosity_ = viscosity;
+  };
   const Real impact_time = pi * sqrt(m / stiffness_);
   std::visit(
-      Overloaded{[](const Frictionless&) {}, [&](const DynamicFriction& f) { coefficient_ = f.coefficient; },
-                 [&](const StepFriction& f) {
-                   coefficient_ = f.coefficient;
-                   viscosity_ = Real(f.stiffness) * scene.run.step;
-                 },
-                 [&](const CollisionTimeFriction& f) {
-                   coefficient_ = f.coefficient;
-                   viscosity_ = f.stiffness * impact_time;
-                 },
-                 [&](const DampedFriction& f) {
-                   coefficient_ = f.coefficient;
-                   viscosity_ = f.stiffness * impact_time + damping_;
-                 }},
+      Overloaded{[](const Frictionless&) {}, [&](const DynamicFriction& f) { rub(f.coefficient, -1); },
+                 [&](const StepFriction& f) { rub(f.coefficient, Real(f.stiffness) * scene_.run.step); },
+                 [&](const CollisionTimeFriction& f) { rub(f.coefficient, f.stiffness * impact_time); },
+                 [&](const DampedFriction& f) { rub(f.coefficient, f.stiffness * impact_time + damping_); }},
       laws.friction);
 }
 

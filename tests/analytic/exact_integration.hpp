@@ -42,6 +42,8 @@ class World {
     Real body_overlap, effect_overlap, normal_velocity, slip_speed;
     Vector slip;
   };
+  Real set_geometry();
+  void set_laws(const ContactLaws& laws, const Real& m);
   Contact contact(const State& state) const;
   Real elastic_and_damping(const Contact& c) const;
   Vector force_on_second(const State& state, const Regime& regime) const;

@@ -9,6 +9,7 @@
 #include "analytic/closed_forms.hpp"
 #include "analytic/contact_scales.hpp"
 #include "analytic/dimensionless.hpp"
+#include "tests/analytic/exact_integration.hpp"
 #include "tests/analytic/scenes.hpp"
 
 namespace grainproof::analytic {
@@ -50,6 +51,9 @@ TEST(NormalCollision, WithoutTensionEndsAtForceZeroAndLeavesAtItsRestitution) {
   for (double e : {0.1, std::exp(-2.0), 0.5, 0.8}) {
     const auto s = scalars_of("normal_collision", onto_fixed({k, Restitution{e}, true}));
     EXPECT_NEAR(s.at("restitution"), e, 1e-13) << e;
+    const double beta = damping({k, Restitution{e}, true}, m) / (2 * m);
+    EXPECT_NEAR(s.at("force_duration"), -std::log(e) / beta, 1e-15) << e;
+    EXPECT_GT(s.at("contact_duration"), s.at("force_duration"));
   }
 }
 
@@ -101,11 +105,9 @@ TEST(Bounce, ApexesFallByTheSquareOfTheRestitutionWhileContactsAreShort) {
   EXPECT_NEAR(frames[2].position[0].z() - 0.05, height * 0.4096, 1e-3);
 }
 
-Scene oblique(const LinearNormal& law, double stiffness_scale = 1.0) {
-  LinearNormal scaled = law;
-  scaled.stiffness *= stiffness_scale;
-  Scene scene = glass_scene(scaled);
-  scene.contacts.set(0, 0, {scaled, DynamicFriction{0.3}});
+Scene oblique(const LinearNormal& law) {
+  Scene scene = glass_scene(law);
+  scene.contacts.set(0, 0, {law, DynamicFriction{0.3}});
   add_floor(scene);
   add_sphere(scene, {0, 0, 0.05}, {3.0, 0, -1.0});
   return scene;
@@ -133,6 +135,39 @@ TEST(ObliqueCollision, OfAPairIsRefusedWhereItTurns) {
   scene.contacts.set(0, 0, {LinearNormal{1e10, Restitution{0.8}, true}, DynamicFriction{0.3}});
   ASSERT_TRUE(form->supports(scene, {}));
   EXPECT_NEAR(form->observe(scene, {}).scalars.at("tangential_velocity_change"), 0.3 * 1.8, 1e-13);
+}
+
+/// Two free spheres meet at 45 degrees to their line of centres.
+Scene oblique_pair(double stiffness) {
+  const LinearNormal law{stiffness, Restitution{0.8}};
+  Scene scene = glass_scene(law);
+  scene.contacts.set(0, 0, {law, DynamicFriction{0.1}});
+  add_sphere(scene, Vec3::Zero(), Vec3::Zero());
+  add_sphere(scene, {0, 0, 0.1 + 1e-9}, {1.0, 0, -1.0});
+  scene.run.sample_times = {0.0, 3.0 * shortest_contact(scene)->duration};
+  return scene;
+}
+
+/// Relative error of the pair's slip change at this stiffness, against the integration that turns.
+double oblique_pair_error(double stiffness) {
+  const Scene scene = oblique_pair(stiffness);
+  const auto form = make_closed_form("oblique_collision")->observe(scene, {});
+  const double step = shortest_contact(scene)->duration / 64.0;
+  const auto exact = exact::World(scene).integrate(scene.run.sample_times, step);
+  const auto slip = static_cast<double>(exact.back()[9] - exact.back()[6]);
+  return std::abs((1.0 - slip) / form.scalars.at("tangential_velocity_change") - 1.0);
+}
+
+TEST(ObliqueCollision, OfAPairIsTheStiffLimitOfOneThatTurns) {
+  // A turn θ mixes the normal speed into the slip: θ/(2 μ) of it, and θ falls as 1/sqrt(k).
+  double last = 1.0;
+  for (double stiffness : {1e8, 1e10, 1e12}) {
+    const double turn = shortest_contact(oblique_pair(stiffness))->duration / 0.1;
+    const double error = oblique_pair_error(stiffness);
+    EXPECT_LT(error, 10.0 * turn) << stiffness;
+    EXPECT_NEAR(last / error, 10.0, last == 1.0 ? 1e9 : 0.5) << stiffness;
+    last = error;
+  }
 }
 
 TEST(Sliding, CreepsWhereTheStaticBranchIsSmaller) {
