@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparisons/metrics/resting.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -37,10 +38,13 @@ Measured stop_time(const Scene& scene, const Observations& seen) {
   const auto body = slider(scene, seen.frames.front());
   if (!body) return Measured::none(at_rest);
   const auto speed = [&](const Frame& frame) { return frame.velocity[body->particle].dot(body->direction); };
-  for (std::size_t k = 1; k < seen.frames.size(); ++k) {
-    const Frame& a = seen.frames[k - 1];
-    const Frame& b = seen.frames[k];
-    if (speed(b) <= 0.0) return Measured::of(a.time + (b.time - a.time) * speed(a) / (speed(a) - speed(b)));
+  for (std::size_t k = 1; k + 1 < seen.frames.size(); ++k) {
+    const double length = seen.frames[k].time - seen.frames[k - 1].time;
+    const double now = speed(seen.frames[k]);
+    const double fall = speed(seen.frames[k - 1]) - now;
+    const double next_fall = now - speed(seen.frames[k + 1]);
+    const bool breaks_off = fall > 0.0 && next_fall < 0.5 * fall;
+    if (breaks_off && std::abs(now) <= fall) return Measured::of(seen.frames[k].time + length * now / fall);
   }
   return Measured::none("the particle never stops");
 }

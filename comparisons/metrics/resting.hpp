@@ -10,7 +10,9 @@ namespace grainproof {
 /// Deepest overlap in the last frame, m; negative where nothing touches.
 Measured resting_overlap(const Scene& scene, const Observations& seen);
 
-/// When the speed along the first frame's slip first reaches zero, s; linear between frames.
+/// Where the line through the last two frames of the slowing down reaches zero, s. The slowing down ends
+/// where the speed along the first velocity, within one step of zero, falls by less than half of
+/// what it fell before: a law without a static branch chatters from then on, on either side of zero.
 Measured stop_time(const Scene& scene, const Observations& seen);
 
 /// How far the first moving particle has come along its first velocity by the last frame, m.
