@@ -146,7 +146,7 @@ int run_command_line(int argc, const char* const* argv, Terminal& terminal) {
   program.add_flag("-q,--quiet", terminal.quiet, "No progress on standard error");
   program.set_version_flag("--version", "grainproof " GRAINPROOF_VERSION);
   program.footer(std::string("Each command explains itself: grainproof verify --help\n") + exit_codes);
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);
   add_verify(program, chosen);
   add_run(program, chosen);
   add_compare(program, chosen);
@@ -157,7 +157,9 @@ int run_command_line(int argc, const char* const* argv, Terminal& terminal) {
   } catch (const CLI::ParseError& error) {
     return refuse(program, error, terminal);
   }
-  return guarded(chosen, terminal);
+  if (chosen) return guarded(chosen, terminal);
+  terminal.err << program.help();
+  return input_refused;
 }
 
 }  // namespace grainproof::app

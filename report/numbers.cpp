@@ -25,7 +25,9 @@ std::string brief(double value) {
   return format(size >= 999.5 && size < 1e5 ? "%.0f" : "%.2e", value);
 }
 
-std::string two_decimals(double value) { return format("%.2f", value); }
+std::string two_decimals(double value) {
+  return format("%.2f", value);
+}
 
 std::string exact(double value) {
   std::array<char, 40> text{};

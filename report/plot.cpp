@@ -38,8 +38,10 @@ std::string marker(double x, double y, std::size_t shape, const std::string& col
   }
 }
 
-std::string line_of(const PlotFrame& frame, const Series& series, std::size_t shape,
-                    const std::string& colour) {
+/// The first scheme is drawn widest, so that it shows below others that lie on it.
+std::string line_of(const PlotFrame& frame, const Series& series, std::size_t shape, std::size_t scheme) {
+  const std::string colour = colours[scheme % colours.size()];
+  const double width = std::max(1.0, 5.0 - 2.0 * static_cast<double>(scheme));
   std::string path;
   std::string markers;
   for (const auto& point : series.points) {
@@ -49,8 +51,8 @@ std::string line_of(const PlotFrame& frame, const Series& series, std::size_t sh
     path += pixel(x) + "," + pixel(y) + " ";
     markers += marker(x, y, shape, colour);
   }
-  return "<polyline points=\"" + path + "\" fill=\"none\" stroke=\"" + colour +
-         "\" stroke-opacity=\"0.6\"/>\n" + markers;
+  return "<polyline points=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" +
+         pixel(width) + "\" stroke-opacity=\"0.5\"/>\n" + markers;
 }
 
 std::string bounds_of(const PlotFrame& frame, const Series& series, const std::string& colour) {
@@ -94,9 +96,9 @@ std::string svg(const Plot& plot) {
   std::vector<std::string> engines;
   std::string drawn;
   for (const Series& series : plot.series) {
-    const std::string colour = colours[place(schemes, series.colour_key) % colours.size()];
-    drawn +=
-        bounds_of(frame, series, colour) + line_of(frame, series, place(engines, series.marker_key), colour);
+    const std::size_t scheme = place(schemes, series.colour_key);
+    drawn += bounds_of(frame, series, colours[scheme % colours.size()]) +
+             line_of(frame, series, place(engines, series.marker_key), scheme);
   }
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pixel(plot_width) + " " +
          pixel(plot_height) + "\" width=\"" + pixel(plot_width) + "\" height=\"" + pixel(plot_height) +

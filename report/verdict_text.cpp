@@ -98,12 +98,13 @@ std::string where_text(const Row& row) {
 
 std::string expected_text(const Row& row) {
   if (row.order_expected)
-    return "measured order " + (row.order ? two_decimals(*row.order) : "none") + " of " + row.quantity + " from " +
-           row.order_expected->from + " to " + row.order_expected->to + ", expected " +
+    return "measured order " + (row.order ? two_decimals(*row.order) : "none") + " of " + row.quantity +
+           " from " + row.order_expected->from + " to " + row.order_expected->to + ", expected " +
            brief(row.order_expected->is) + " ± " + brief(row.order_expected->within);
   std::string text = row.quantity.empty() ? "" : row.quantity;
   if (!row.against.empty()) text += " against " + row.against;
-  return text + ": error " + brief(row.error) + ", expected at most " + brief(row.tolerance);
+  text += ": error " + brief(row.error);
+  return std::isnan(row.tolerance) ? text : text + ", expected at most " + brief(row.tolerance);
 }
 
 std::size_t count(const std::vector<Row>& rows, Verdict verdict) {

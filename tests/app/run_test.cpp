@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/app/program.hpp"
+
+namespace grainproof::testing {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+double time_of(const std::string& csv_line) {
+  return std::stod(csv_line.substr(0, csv_line.find(',')));
+}
+
+TEST(RunCommand, WritesSummaryAndFramesFromStartToEnd) {
+  const Scratch scratch;
+  const std::string scene = scratch.file("falling.toml", falling_sphere());
+  const std::string out = scratch.path("out").string();
+  const Ended ended =
+      run_program("run " + scene + " --out " + out + " --csv --json " + scratch.path("s.json").string());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+
+  const auto csv = lines_of(text_of(out + "/frames.csv"));
+  ASSERT_EQ(csv.size(), 6U);
+  EXPECT_EQ(csv.front(), "time,id,x,y,z,vx,vy,vz");
+  EXPECT_EQ(time_of(csv[1]), 0.0);
+  const auto summary = json_of(out + "/summary.json");
+  EXPECT_EQ(summary, json_of(scratch.path("s.json")));
+  EXPECT_DOUBLE_EQ(time_of(csv.back()), summary["steps"].get<double>() * summary["step"].get<double>());
+  EXPECT_GE(time_of(csv.back()), 0.2);
+  EXPECT_EQ(summary["frames"], 5);
+  EXPECT_TRUE(std::filesystem::exists(out + "/frame_000004.vtp"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/frame_000005.vtp"));
+}
+
+TEST(RunCommand, SummaryHasWhatItsReadersNeed) {
+  const Scratch scratch;
+  const std::string scene = scratch.file("falling.toml", falling_sphere());
+  ASSERT_EQ(run_program("run " + scene + " --json " + scratch.path("s.json").string()).code, 0);
+  const auto summary = json_of(scratch.path("s.json"));
+  EXPECT_EQ(summary["schema"], 1);
+  EXPECT_EQ(summary["outcome"]["status"], "completed");
+  EXPECT_EQ(summary["provenance"]["engine"], "reference");
+  EXPECT_GT(summary["cundall_number"].get<double>(), 0.0);
+  EXPECT_GT(summary["peak_memory_bytes"].get<std::int64_t>(), 0);
+  EXPECT_TRUE(summary["ledger"]["final"].contains("dissipated_normal"));
+  for (const char* key : {"steps", "wall_s", "rebuilds", "contacts", "machine"})
+    EXPECT_TRUE(summary.contains(key)) << key;
+}
+
+TEST(RunCommand, ThatGoesWrongSaysWhereKeepsTheLastGoodFrameAndExitsWithThree) {
+  const Scratch scratch;
+  const std::string scene = scratch.file("escaping.toml", escaping_sphere());
+  const std::string out = scratch.path("out").string();
+  const Ended ended = run_program("run " + scene + " --csv --out " + out);
+  EXPECT_EQ(ended.code, 3) << ended.out;
+  for (const std::string word : {"t = ", "step ", "particle", "domain"})
+    EXPECT_NE(ended.err.find(word), std::string::npos) << word << " in " << ended.err;
+
+  const auto summary = json_of(out + "/summary.json");
+  EXPECT_EQ(summary["outcome"]["status"], "went_wrong");
+  const auto csv = lines_of(text_of(out + "/frames.csv"));
+  const double went_wrong_at = summary["outcome"]["time"].get<double>();
+  EXPECT_NEAR(time_of(csv.back()), went_wrong_at, 1.5 * summary["step"].get<double>());
+  EXPECT_LT(time_of(csv.back()), went_wrong_at);
+}
+
+TEST(RunCommand, TakesTheSceneOfASweepThatIsAskedFor) {
+  const Scratch scratch;
+  const std::string text = falling_sphere() + "[sweep]\nstep = [\"contact/16\", \"contact/32\"]\n";
+  const std::string scene =
+      scratch.file("swept.toml", text.substr(0, text.find("step = ")) + text.substr(text.find("record")));
+  const Ended first = run_program("run " + scene + " --json " + scratch.path("first.json").string());
+  const Ended second =
+      run_program("run " + scene + " --nth 2 --json " + scratch.path("second.json").string());
+  ASSERT_EQ(first.code, 0) << first.err;
+  ASSERT_EQ(second.code, 0) << second.err;
+  EXPECT_NE(first.err.find("expands to 2 scenes"), std::string::npos) << first.err;
+  const double ratio = json_of(scratch.path("first.json"))["step"].get<double>() /
+                       json_of(scratch.path("second.json"))["step"].get<double>();
+  EXPECT_DOUBLE_EQ(ratio, 2.0);
+}
+
+TEST(RunCommand, IsSilentOnStandardErrorWhenQuiet) {
+  EXPECT_EQ(run_program("--quiet run settling").err, "");
+  EXPECT_EQ(run_program("run settling --quiet").err, "");
+}
+
+TEST(CompareCommand, FindsAnEngineEqualToItselfAndTheClosedFormApart) {
+  const Scratch scratch;
+  const std::string json = scratch.path("apart.json").string();
+  const Ended ended =
+      run_program("compare normal_collision --engines reference,reference,analytic --json " + json);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto apart = json_of(json);
+  ASSERT_EQ(apart["differences"].size(), 2U);
+  for (const auto& frame : apart["differences"][0]["frames"]) EXPECT_EQ(frame["position"], 0.0);
+  EXPECT_GT(apart["differences"][1]["frames"].back()["velocity"].get<double>(), 1e-4);
+  EXPECT_EQ(apart["engines"][0]["engine"], "reference");
+}
+
+TEST(CompareCommand, WritesTheFramesOfEveryEngine) {
+  const Scratch scratch;
+  const std::string scene = scratch.file("falling.toml", falling_sphere());
+  ASSERT_EQ(run_program("compare " + scene + " --engines reference,opencl:double --out " +
+                        scratch.path("out").string())
+                .code,
+            0);
+  EXPECT_EQ(lines_of(text_of(scratch.path("out/reference/frames.csv"))).size(), 6U);
+  EXPECT_EQ(lines_of(text_of(scratch.path("out/opencl-double/frames.csv"))).size(), 6U);
+  EXPECT_TRUE(std::filesystem::exists(scratch.path("out/compare.json")));
+}
+
+}  // namespace
+}  // namespace grainproof::testing

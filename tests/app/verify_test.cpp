@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/app/program.hpp"
+
+namespace grainproof::testing {
+namespace {
+
+constexpr const char* no_drivers = "OCL_ICD_VENDORS=/nonexistent OPENCL_VENDOR_PATH=/nonexistent";
+
+/// settling.toml with another claim about the resting overlap.
+std::string settling_with(const Scratch& scratch, const std::string& wanted, const std::string& changed) {
+  std::string text = text_of("scenes/settling.toml");
+  const std::size_t at = text.find(wanted);
+  if (at == std::string::npos) throw std::runtime_error("settling.toml has no " + wanted);
+  return scratch.file("changed.toml", text.replace(at, wanted.size(), changed));
+}
+
+TEST(VerifyCommand, ExitsWithZeroWhenAllHeld) {
+  const Ended ended = run_program("verify settling --engines reference");
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("resting_overlap"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("0 failed"), std::string::npos) << ended.out;
+}
+
+TEST(VerifyCommand, ExitsWithOneAndExplainsWhenAVerdictFailed) {
+  const Scratch scratch;
+  const std::string file = settling_with(scratch, "closed_form:settling", "value:2e-4");
+  const Ended ended = run_program("verify --engines reference " + file);
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_NE(ended.out.find("FAIL"), std::string::npos);
+  EXPECT_NE(ended.out.find("expected at most"), std::string::npos) << ended.out;
+}
+
+TEST(VerifyCommand, FailsACaseWhoseRunWentWrong) {
+  const Scratch scratch;
+  const std::string claim =
+      "[[expect]]\nquantity = \"particles\"\nagainst = \"invariant:particles\"\nbelow = 0.0\n";
+  const std::string file = scratch.file("escaping.toml", escaping_sphere() + claim);
+  const Ended ended = run_program("verify --engines reference " + file);
+  EXPECT_EQ(ended.code, 1) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("went wrong"), std::string::npos) << ended.out;
+}
+
+TEST(VerifyCommand, GoesOnWithoutOpenClDevice) {
+  const Ended ended = run_program("verify settling --engines reference,opencl", no_drivers);
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_NE(ended.err.find("opencl:single is not available"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.out.find("3 passed, 0 failed"), std::string::npos) << ended.out;
+}
+
+TEST(VerifyCommand, GoesOnWithoutLiggghts) {
+  const Ended ended = run_program("verify settling --engines reference,liggghts", "PATH=/nonexistent");
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_NE(ended.err.find("apt-get install liggghts"), std::string::npos) << ended.err;
+}
+
+TEST(VerifyCommand, RefusesWhenNoEngineIsThere) {
+  const Ended ended = run_program("verify settling --engines opencl", no_drivers);
+  EXPECT_EQ(ended.code, 2) << ended.out;
+  EXPECT_NE(ended.err.find("doctor"), std::string::npos) << ended.err;
+}
+
+TEST(VerifyCommand, WritesResultsAsTheSchemaSays) {
+  const Scratch scratch;
+  const std::string json = scratch.path("r.json").string();
+  ASSERT_EQ(run_program("verify normal_collision_elastic --engines reference --json " + json).code, 0);
+  const auto results = json_of(json);
+  EXPECT_EQ(results["schema"], 1);
+  EXPECT_TRUE(results["machine"].contains("processor"));
+  ASSERT_FALSE(results["results"].empty());
+  int orders = 0;
+  for (const auto& row : results["results"]) {
+    for (const char* key : {"case", "engine", "precision", "integrator", "quantity", "verdict", "reason"})
+      EXPECT_TRUE(row[key].is_string()) << key << " in " << row;
+    EXPECT_TRUE(row["wall_s"].is_number() && row["error"].is_number() && row.contains("tolerance")) << row;
+    EXPECT_NE(row["step"].is_null(), row["order"].is_null()) << "a row has a step or an order: " << row;
+    orders += row["order"].is_null() ? 0 : 1;
+  }
+  EXPECT_GT(orders, 0);
+}
+
+TEST(VerifyCommand, WritesAPageThatNeedsNothingElse) {
+  const Scratch scratch;
+  const std::string out = scratch.path("out").string();
+  ASSERT_EQ(run_program("verify normal_collision_elastic --engines reference --out " + out).code, 0);
+  const std::string page = text_of(out + "/report.html");
+  EXPECT_NE(page.find("<svg"), std::string::npos);
+  EXPECT_NE(page.find("normal_collision_elastic"), std::string::npos);
+  for (const char* foreign : {"src=", "url(", "<script", "<link"})
+    EXPECT_EQ(page.find(foreign), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(out + "/results.json"));
+}
+
+TEST(VerifyCommand, JudgesAnExternalProgram) {
+  const Scratch scratch;
+  const std::string program =
+      "python3 " + std::filesystem::absolute("comparisons/external/example/head_on_pair.py").string();
+  const Ended ended =
+      run_program("verify normal_collision_two_bodies --engines \"external:" + program + "\"");
+  EXPECT_NE(ended.code, 2) << ended.err;
+  EXPECT_NE(ended.out.find("external:"), std::string::npos) << ended.out;
+}
+
+}  // namespace
+}  // namespace grainproof::testing
