@@ -2,6 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 INLINE real3 gravity_at(World w, Position p, int step) {
   const Separation inwards = separation(p, w.constants->gravity_centre, w.box);
-  if (!(distance_of(inwards) > 0)) return (real3)(0);
+  if (coincide(inwards)) return (real3)(0);
   return direction_of(inwards) * w.constants->gravity.w;
 }

@@ -67,6 +67,8 @@ INLINE bool within(Separation s, Reach reach) {
 
 INLINE real overlap_of(Separation s, Reach reach, const global Box* box) { return reach - distance_of(s); }
 
+INLINE bool coincide(Separation s) { return !(distance_of(s) > 0); }
+
 INLINE real3 direction_of(Separation s) {
   const real inverse = 1 / distance_of(s);
   return s.across * inverse;

@@ -8,7 +8,9 @@
 namespace grainproof::opencl {
 namespace {
 
-constexpr std::size_t padded_to(std::size_t count, std::size_t group) { return (count + group - 1) / group * group; }
+constexpr std::size_t padded_to(std::size_t count, std::size_t group) {
+  return (count + group - 1) / group * group;
+}
 
 /// One more than asked, so that a scan of all leaves the total at the end.
 cl::Buffer integers(Workshop& workshop, std::size_t count) {
@@ -43,14 +45,16 @@ void PairList::build(const World& world) {
   cl_int total = 0;
   workshop_.read(pair_starts_, std::as_writable_bytes(std::span(&total, 1)), padded_ * sizeof(cl_int));
   make_room(total);
-  launch_in_world(workshop_, program_, "pair_fill", particles, world, zone_starts_, members_, pair_starts_, partners_);
+  launch_in_world(workshop_, program_, "pair_fill", particles, world, zone_starts_, members_, pair_starts_,
+                  partners_);
   entries_ = total;
 }
 
 void PairList::fill_zones(const World& world) {
   const Range particles{padded_, work_group_};
   const Range zones{padded_to(zones_, work_group_), work_group_};
-  launch_in_world(workshop_, program_, "zone_count", particles, world, zone_counts_, zone_of_particle_, built_at_);
+  launch_in_world(workshop_, program_, "zone_count", particles, world, zone_counts_, zone_of_particle_,
+                  built_at_);
   scan_.exclusive(zone_counts_, zone_starts_, zones_ + 1);
   workshop_.launch(program_, "zone_fill", particles, zone_of_particle_, zone_starts_, zone_counts_, members_,
                    static_cast<cl_int>(particles_));

@@ -9,8 +9,8 @@ namespace grainproof::opencl {
 /// Zones and the list of partners built from them, all on the device.
 class PairList {
  public:
-  PairList(Workshop& workshop, Program& program, const SceneImage& image, const Decoder& decoder, const ZoneGrid& grid,
-           std::size_t work_group);
+  PairList(Workshop& workshop, Program& program, const SceneImage& image, const Decoder& decoder,
+           const ZoneGrid& grid, std::size_t work_group);
 
   /// For the positions that `world` has now. Waits once, for the number of pairs.
   void build(const World& world);

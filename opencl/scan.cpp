@@ -29,7 +29,8 @@ void Scan::exclusive(const cl::Buffer& values, const cl::Buffer& starts, std::si
 }
 
 // A single block starts at zero, which is what the last level's starts hold for ever.
-void Scan::scan_level(const cl::Buffer& values, const cl::Buffer& starts, std::size_t count, std::size_t level) {
+void Scan::scan_level(const cl::Buffer& values, const cl::Buffer& starts, std::size_t count,
+                      std::size_t level) {
   const std::size_t blocks = blocks_of(count);
   const Range range{blocks * work_group_, work_group_};
   const cl::LocalSpaceArg partial = cl::Local(work_group_ * sizeof(cl_int));

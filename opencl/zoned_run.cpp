@@ -53,7 +53,8 @@ void ZonedRun::enqueue(std::int64_t first, std::int64_t last) {
   for (std::int64_t n = first; n <= last; ++n) {
     const auto step = static_cast<cl_int>(n);
     launch_in_world(*workshop_, program_, "move", particles_, world_, list_.built_at(), step);
-    launch_in_world(*workshop_, program_, "resolve", particles_, world_, list_.starts(), list_.partners(), step);
+    launch_in_world(*workshop_, program_, "resolve", particles_, world_, list_.starts(), list_.partners(),
+                    step);
   }
 }
 

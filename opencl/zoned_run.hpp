@@ -6,14 +6,16 @@
 
 namespace grainproof::opencl {
 
-/// A scene of any size: two launches a step, a list of pairs that lasts until something has moved half the skin.
+/// A scene of any size: two launches a step, a list of pairs that lasts until something has moved half the
+/// skin.
 ///
-/// Steps are enqueued in batches without asking the device. When the list has gone stale on the way, the kernels
-/// stop by themselves; the host finds out at the end of the batch, builds a new list and goes on from there.
+/// Steps are enqueued in batches without asking the device. When the list has gone stale on the way, the
+/// kernels stop by themselves; the host finds out at the end of the batch, builds a new list and goes on from
+/// there.
 class ZonedRun : public DeviceRun {
  public:
-  ZonedRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const BuildOptions& options, const ZoneGrid& grid,
-           std::size_t work_group);
+  ZonedRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const BuildOptions& options,
+           const ZoneGrid& grid, std::size_t work_group);
 
  protected:
   void take_steps(std::int64_t steps) override;

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// device_driver PRECISION PATH SCENE LAYERS STEPS [full]: takes the steps and prints the digest.
+// A program of its own, to be run with other environments and under oclgrind.
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "device_fixture.hpp"
+#include "varied_scenes.hpp"
+
+namespace grainproof::opencl::testing {
+namespace {
+
+EngineOptions options_from(const std::string& precision, const std::string& path, bool full) {
+  EngineOptions options =
+      options_for(precision == "single" ? Precision::single_precision : Precision::double_precision);
+  options.path = path == "small" ? Path::small : Path::zoned;
+  options.stages = full ? Stages::full : Stages::lean;
+  options.work_group = 32;
+  return options;
+}
+
+int drive(int argc, char** argv) {
+  if (argc < 6) {
+    std::fputs("device_driver PRECISION PATH SCENE LAYERS STEPS [full]\n", stderr);
+    return 2;
+  }
+  OpenClEngine engine(options_from(argv[1], argv[2], argc > 6));
+  const auto run = engine.start(varied_scene(argv[3], std::stoi(argv[4])), {});
+  run->advance(std::stol(argv[5]));
+  std::printf("digest %016llx\n", static_cast<unsigned long long>(run->digest()));
+  return 0;
+}
+
+}  // namespace
+}  // namespace grainproof::opencl::testing
+
+int main(int argc, char** argv) {
+  try {
+    return grainproof::opencl::testing::drive(argc, argv);
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "%s\n", failure.what());
+    return 1;
+  }
+}

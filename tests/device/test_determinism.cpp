@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdlib>
+#include <memory>
+
+#include "device_fixture.hpp"
+#include "driver_process.hpp"
+#include "varied_scenes.hpp"
+
+namespace grainproof::opencl::testing {
+namespace {
+
+std::uint64_t digest_of(const EngineOptions& options, const Scene& scene, const Request& request = {}) {
+  OpenClEngine engine(options);
+  const auto run = engine.start(scene, request);
+  run->advance(varied_steps);
+  return run->digest();
+}
+
+EngineOptions with_path(Precision precision, Path path, Stages stages = Stages::lean) {
+  EngineOptions options = options_for(precision);
+  options.path = path;
+  options.stages = stages;
+  return options;
+}
+
+using Varied = std::tuple<Precision, std::string>;
+
+class SameBits : public ::testing::TestWithParam<Varied> {
+ protected:
+  Precision precision() const { return std::get<0>(GetParam()); }
+  Scene scene() const { return varied_scene(std::get<1>(GetParam())); }
+};
+
+TEST_P(SameBits, OnEveryPathAndInEveryBuild) {
+  const std::uint64_t small = digest_of(with_path(precision(), Path::small), scene());
+  Request ledger;
+  ledger.ledger = true;
+  EXPECT_EQ(digest_of(with_path(precision(), Path::zoned), scene()), small) << "zoned";
+  EXPECT_EQ(digest_of(with_path(precision(), Path::small, Stages::full), scene()), small) << "full";
+  EXPECT_EQ(digest_of(with_path(precision(), Path::zoned, Stages::full), scene()), small) << "full, zoned";
+  EXPECT_EQ(digest_of(with_path(precision(), Path::small), scene(), ledger), small) << "with a ledger";
+}
+
+std::string varied_name(const ::testing::TestParamInfo<Varied>& info) {
+  return std::string(name_of(std::get<0>(info.param))) + "_" + std::get<1>(info.param);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SameBits,
+                         ::testing::Combine(::testing::Values(Precision::single_precision,
+                                                              Precision::double_precision),
+                                            ::testing::ValuesIn(varied_scene_names())),
+                         varied_name);
+
+class ZonedBits : public ::testing::TestWithParam<Precision> {
+ protected:
+  static Scene scene() { return varied_scene("damped_friction", 40); }
+  EngineOptions zoned() const { return with_path(GetParam(), Path::zoned); }
+};
+
+TEST_P(ZonedBits, DoNotChangeFromRunToRun) {
+  EXPECT_EQ(digest_of(zoned(), scene()), digest_of(zoned(), scene()));
+}
+
+TEST_P(ZonedBits, DoNotDependOnTheWorkGroup) {
+  const std::uint64_t usual = digest_of(zoned(), scene());
+  for (const int group : {1, 16, 256}) {
+    EngineOptions options = zoned();
+    options.work_group = group;
+    EXPECT_EQ(digest_of(options, scene()), usual) << "work-group " << group;
+  }
+}
+
+TEST_P(ZonedBits, DoNotDependOnTheSkin) {
+  const std::uint64_t usual = digest_of(zoned(), scene());
+  for (const double skin : {0.0, 0.003, 0.04}) {
+    EngineOptions options = zoned();
+    options.skin = skin;
+    EXPECT_EQ(digest_of(options, scene()), usual) << "skin " << skin;
+  }
+}
+
+TEST_P(ZonedBits, DoNotDependOnHowStepsAreAskedFor) {
+  OpenClEngine engine(zoned());
+  const auto run = engine.start(scene(), {});
+  for (int asked = 0; asked < varied_steps; asked += 25) {
+    run->advance(25);
+    run->synchronise();
+  }
+  EXPECT_EQ(run->digest(), digest_of(zoned(), scene()));
+}
+
+TEST_P(ZonedBits, DoNotDependOnTheNumberOfThreads) {
+  const std::string arguments = std::string(name_of(GetParam())) + " zoned damped_friction 40 100";
+  const Finished one = run_driver("POCL_MAX_PTHREAD_COUNT=1", arguments);
+  const Finished two = run_driver("POCL_MAX_PTHREAD_COUNT=2", arguments);
+  const Finished all = run_driver("", arguments);
+  ASSERT_EQ(one.status, 0) << one.output;
+  EXPECT_NE(one.output.find("digest"), std::string::npos) << one.output;
+  EXPECT_EQ(one.output, two.output);
+  EXPECT_EQ(one.output, all.output);
+}
+
+GRAINPROOF_IN_BOTH_PRECISIONS(ZonedBits);
+
+TEST(Digest, TellsStatesApart) {
+  const auto options = with_path(Precision::double_precision, Path::small);
+  Scene other = varied_scene("boxed");
+  other.particles[0].position.x() += 1e-15;
+  EXPECT_NE(digest_of(options, varied_scene("boxed")), digest_of(options, other));
+}
+
+TEST(Digest, FollowsFrictionSoTheScenesDoTouch) {
+  const auto options = with_path(Precision::double_precision, Path::small);
+  EXPECT_NE(digest_of(options, varied_scene("boxed")), digest_of(options, varied_scene("dynamic_friction")));
+}
+
+}  // namespace
+}  // namespace grainproof::opencl::testing
