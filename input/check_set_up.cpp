@@ -82,7 +82,10 @@ void check_overlaps(const SetUp& set_up) {
   if (scene.particles.empty()) return;
   SphereGrid grid(scene.domain, largest_diameter(scene), scene.particles.size());
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
-    grid.for_each_near(scene.particles[i].position, [&](std::size_t j) { check_pair(set_up, i, j); });
+    grid.any_near(scene.particles[i].position, [&](std::size_t j) {
+      check_pair(set_up, i, j);
+      return false;
+    });
     grid.insert(i, scene.particles[i].position);
   }
 }

@@ -54,12 +54,10 @@ class Placer {
   }
 
   bool hits(const Vec3& position) const {
-    bool hit = false;
-    grid_.for_each_near(position, [&](std::size_t other) {
+    return grid_.any_near(position, [&](std::size_t other) {
       const double apart = nearest_image(scene_.domain, positions_[other], position).norm();
-      hit = hit || apart < radius_ + radii_[other] + gap_;
+      return apart < radius_ + radii_[other] + gap_;
     });
-    return hit;
   }
 
   void add(const Vec3& position, double radius) {

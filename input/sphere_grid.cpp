@@ -36,14 +36,18 @@ SphereGrid::Cell SphereGrid::cell_of(const Vec3& position) const {
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
     const double along = std::floor((position[axis] - domain_.lower[axis]) / edge_[axis]);
-    cell[axis] = static_cast<std::int64_t>(std::clamp(along, -most_cells, 2.0 * most_cells));
+    cell[axis] = static_cast<std::int64_t>(std::clamp(along, -1.0, static_cast<double>(count_[axis])));
   }
   return cell;
 }
 
+/// Cells lie at most one beyond those of `cell_of`, so two beyond the grid.
 SphereGrid::Cell SphereGrid::wrapped(Cell cell) const {
-  for (int axis = 0; axis < 3; ++axis)
-    if (domain_.periodic(axis)) cell[axis] = ((cell[axis] % count_[axis]) + count_[axis]) % count_[axis];
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!domain_.periodic(axis)) continue;
+    while (cell[axis] < 0) cell[axis] += count_[axis];
+    while (cell[axis] >= count_[axis]) cell[axis] -= count_[axis];
+  }
   return cell;
 }
 

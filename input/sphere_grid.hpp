@@ -17,17 +17,17 @@ class SphereGrid {
 
   void insert(std::size_t index, const Vec3& position);
 
-  /// Calls visit(index) for every inserted sphere that may be within reach, some of them twice.
-  template <class Visit>
-  void for_each_near(const Vec3& position, Visit&& visit) const {
+  /// Whether holds(index) is true for an inserted sphere that may be within reach. Stops at the first;
+  /// may ask one of them twice.
+  template <class Holds>
+  bool any_near(const Vec3& position, Holds&& holds) const {
     const Cell centre = cell_of(position);
-    Cell cell;
-    for (cell[0] = centre[0] - 1; cell[0] <= centre[0] + 1; ++cell[0])
-      for (cell[1] = centre[1] - 1; cell[1] <= centre[1] + 1; ++cell[1])
-        for (cell[2] = centre[2] - 1; cell[2] <= centre[2] + 1; ++cell[2])
-          for (std::int64_t entry = first_[bucket_of(wrapped(cell))]; entry >= 0;
-               entry = entries_[entry].next)
-            if (entries_[entry].cell == wrapped(cell)) visit(entries_[entry].index);
+    for (int n = 0; n < 27; ++n) {
+      const Cell cell = wrapped({centre[0] + n % 3 - 1, centre[1] + n / 3 % 3 - 1, centre[2] + n / 9 - 1});
+      for (std::int64_t at = first_[bucket_of(cell)]; at >= 0; at = entries_[at].next)
+        if (same(entries_[at].cell, cell) && holds(entries_[at].index)) return true;
+    }
+    return false;
   }
 
  private:
@@ -38,6 +38,9 @@ class SphereGrid {
     std::int64_t next;
   };
 
+  static bool same(const Cell& a, const Cell& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+
+  /// Beside the grid where the position is outside the domain.
   Cell cell_of(const Vec3& position) const;
   Cell wrapped(Cell cell) const;
   std::size_t bucket_of(const Cell& cell) const;

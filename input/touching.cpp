@@ -30,17 +30,17 @@ bool any_pair_touches(const Scene& scene, Onset::Surface surface) {
   double largest = 0.0;
   for (const Particle& particle : scene.particles) largest = std::max(largest, reach_of(particle, surface));
   SphereGrid grid(scene.domain, 2.0 * (1.0 + touching) * largest, scene.particles.size());
-  bool found = false;
-  for (std::size_t i = 0; i < scene.particles.size() && !found; ++i) {
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     const Particle& one = scene.particles[i];
-    grid.for_each_near(one.position, [&](std::size_t j) {
+    const bool touched = grid.any_near(one.position, [&](std::size_t j) {
       const Particle& other = scene.particles[j];
       const double distance = nearest_image(scene.domain, one.position, other.position).norm();
-      found = found || touch(distance, reach_of(one, surface) + reach_of(other, surface));
+      return touch(distance, reach_of(one, surface) + reach_of(other, surface));
     });
+    if (touched) return true;
     grid.insert(i, one.position);
   }
-  return found;
+  return false;
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <fstream>
+#include <sstream>
 
 #include "input/read_case.hpp"
 #include "tests/input/scene_files.hpp"
@@ -31,6 +33,23 @@ TEST_P(SceneFile, IsCompleteAndClaimsSomething) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneFile, ::testing::ValuesIn(scene_files()), name_of_file);
+
+TEST(Scenes, TheExampleInTheDocumentationIsRead) {
+  std::ostringstream document;
+  document << std::ifstream("docs/scene.md").rdbuf();
+  const std::string text = document.str();
+  const std::string opening = "```toml\n";
+  const std::size_t begin = text.find(opening) + opening.size();
+  ASSERT_GT(begin, opening.size());
+  const Case read = read_case_text(text.substr(begin, text.find("```", begin) - begin), "docs/scene.md");
+  EXPECT_EQ(read.scenes.at(0).scene.particles.size(), 2u);
+}
+
+TEST(Scenes, WithoutParticlesThereIsASceneAllTheSame) {
+  const std::string text =
+      "schema = 1\n[run]\nend = 1.0\nstep = 0.1\n[domain]\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n";
+  EXPECT_TRUE(read_case_text(text, "empty.toml").scenes.at(0).scene.particles.empty());
+}
 
 TEST(Scenes, NormalCollisionExpandsToEveryStepPhaseAndIntegratorInWellUnderASecond) {
   const auto began = std::chrono::steady_clock::now();
