@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <ostream>
+
+#include "opencl/engine.hpp"
+
+namespace grainproof::faults {
+
+/// One piece of one kernel file, as it is and as somebody might have written it by mistake.
+struct KernelFault {
+  const char* name;
+  const char* file;
+  const char* printed;
+  const char* planted;
+  const char* scene;  ///< the case that must notice
+  opencl::Precision precision = opencl::Precision::double_precision;
+  opencl::Path path = opencl::Path::automatic;
+};
+
+inline void PrintTo(const KernelFault& fault, std::ostream* out) {
+  *out << fault.file << ": " << fault.planted;
+}
+
+inline constexpr std::array kernel_faults{
+    KernelFault{"DashpotPushes", "linear_normal.cl", "- dashpot(law", "+ dashpot(law",
+                "normal_collision_wall"},
+    KernelFault{"PlaneTakesHalfTheMass", "walls_common.cl", "square_root(1 / self",
+                "square_root((real)0.5 / self", "normal_collision_wall"},
+    KernelFault{"ReducedMassLeftOut", "spheres.cl", "square_root(1 / (inverse_a + inverse_b))",
+                "square_root(1 / inverse_a)", "normal_collision_two_bodies"},
+    KernelFault{"NormalVelocityOfAParticleWithItself", "spheres.cl",
+                "c.velocity = self.velocity - other.velocity", "c.velocity = self.velocity - self.velocity",
+                "normal_collision_two_bodies"},
+    KernelFault{"FrictionTimesVelocity", "friction_viscous.cl", "slip * (-force / speed)", "slip * (-force)",
+                "oblique_wall"},
+    KernelFault{"FrictionDrivesTheSlip", "friction_viscous.cl", "(-force / speed)", "(force / speed)",
+                "oblique_wall"},
+    KernelFault{"TensionAllowed", "linear_normal.cl", "return greater_of(force, law.lowest)", "return force",
+                "no_tension"},
+    KernelFault{"CohesionRepels", "contact.cl", "-attraction(", "attraction(", "cohesive_collision"},
+    KernelFault{"CohesionFromTheBodySurface", "spheres.cl", "overlap_of(s, reach, w.box) : 0",
+                "overlap_of(s, radii, w.box) : 0", "cohesive_collision"},
+    KernelFault{"TrapezoidParenthesis", "euler_trapezoid.cl", "before + m.velocity",
+                "before + (real)0.5 * m.velocity", "drag"},
+    KernelFault{"KickOfHalfAStepTwice", "velocity_verlet.cl", "if (step > 1) {", "if (step > 0) {",
+                "free_fall"},
+    KernelFault{"DragHalved", "drag_in_force.cl", "* drag_rate(w, self.index)",
+                "* (real)0.5 * drag_rate(w, self.index)", "drag"},
+    KernelFault{"VortexWithThreeCosines", "flow_taylor_green.cl", "2 * amplitude * c.x * c.y * s.z",
+                "2 * amplitude * c.x * s.y * c.z", "taylor_green"},
+    KernelFault{"ImageOfAPairDropped", "position_double.cl",
+                "d > half_period ? d - period :", "d > half_period ? d :", "periodic_gas"},
+    KernelFault{"RemainderDropped", "position_fixed.cl", "*part = left - step;", "*part = 0;", "slow_drift",
+                opencl::Precision::single_precision},
+    KernelFault{"ZoneSearchOneSided", "pairs.cl", "z >= 0 && z < zones", "z >= 0 && z <= zone",
+                "periodic_gas", opencl::Precision::double_precision, opencl::Path::zoned},
+    KernelFault{"ListKeptTooLong", "steps.cl", "w.box->half_skin", "w.box->skin", "periodic_gas",
+                opencl::Precision::double_precision, opencl::Path::zoned},
+};
+
+}  // namespace grainproof::faults
