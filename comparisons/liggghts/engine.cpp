@@ -15,7 +15,7 @@
 namespace grainproof {
 namespace {
 
-constexpr std::size_t batch_scenes = 256;
+constexpr std::size_t batch_scenes = 512;
 constexpr std::size_t particles_worth_processes = 1000;
 constexpr double half_ulp = 0x1p-53;
 

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <string>
 
 #include "comparisons/quantity.hpp"
 #include "tests/comparisons/scenes.hpp"
@@ -50,6 +53,16 @@ TEST(Quantities, HaveNamesOfTheirOwn) {
     EXPECT_FALSE(quantity.relative_to.empty()) << quantity.name;
   }
   EXPECT_EQ(quantity_named("colour"), nullptr);
+}
+
+TEST(Quantities, AreAllInTheDocumentation) {
+  for (const char* page : {"docs/scene.md", "docs/verdicts.md"}) {
+    std::ifstream in(page);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    for (const Quantity& quantity : quantities())
+      EXPECT_NE(text.find(std::string("`").append(quantity.name).append("`")), std::string::npos)
+          << page << ": " << quantity.name;
+  }
 }
 
 TEST(Position, ErrorIsRelativeToThePathAndPositiveAhead) {
