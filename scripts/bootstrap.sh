@@ -92,6 +92,7 @@ configure() {
   home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt" 2>/dev/null || true)
   [[ ! -f $build/build.ninja || $home != "$PWD" ]] || return 0
   say "configuring …"
+  ! command -v ccache >/dev/null || export CMAKE_CXX_COMPILER_LAUNCHER=ccache
   rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
   if ! cmake --preset release >"$log" 2>&1; then
     cat "$log" >&2
