@@ -99,6 +99,8 @@ Frame ReferenceRun::frame() {
   frame.step = step_;
   frame.time = time();
   const double pending = velocity_lag() * scene_.run.step;
+  frame.position.reserve(bodies_.size());
+  frame.velocity.reserve(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     frame.position.push_back(bodies_.body[i].position);
     frame.velocity.push_back(bodies_.body[i].velocity + bodies_.acceleration[i] * pending);
@@ -112,6 +114,8 @@ State ReferenceRun::state() {
   state.time = time();
   state.ids = bodies_.id;
   state.velocity_lag = velocity_lag();
+  state.position.reserve(bodies_.size());
+  state.velocity.reserve(bodies_.size());
   for (const Body& body : bodies_.body) {
     state.position.push_back(body.position);
     state.velocity.push_back(body.velocity);
