@@ -28,20 +28,27 @@ INLINE int list_zone(World w, Body self, const global int* members, int from, in
   return found;
 }
 
+INLINE int list_zone_at(World w, Body self, const global int* zone_starts, const global int* members, int x, int y, int z,
+                    global int* partners) {
+  if (x < 0 || y < 0 || z < 0) return 0;
+  const int zone = zone_index((int3)(x, y, z), w.box->zones);
+  return list_zone(w, self, members, zone_starts[zone], zone_starts[zone + 1], partners);
+}
+
 // Counts the partners of `self`, and writes them where `partners` is not null.
 INLINE int list_partners(World w, Body self, const global int* zone_starts, const global int* members,
                          global int* partners) {
   const int4 zones = w.box->zones;
   const int3 home = zone_of(self.position, w.box);
   int found = 0;
-  for (int k = 0; k < 27; ++k) {
-    const int x = zone_to_visit(home.x, k % 3, zones.x, PERIODIC_X);
-    const int y = zone_to_visit(home.y, k / 3 % 3, zones.y, PERIODIC_Y);
-    const int z = zone_to_visit(home.z, k / 9, zones.z, PERIODIC_Z);
-    if (x < 0 || y < 0 || z < 0) continue;
-    const int zone = zone_index((int3)(x, y, z), zones);
-    found += list_zone(w, self, members, zone_starts[zone], zone_starts[zone + 1], partners ? partners + found : 0);
-  }
+  for (int kz = 0; kz < 3; ++kz)
+    for (int ky = 0; ky < 3; ++ky)
+      for (int kx = 0; kx < 3; ++kx) {
+        const int x = zone_to_visit(home.x, kx, zones.x, PERIODIC_X);
+        const int y = zone_to_visit(home.y, ky, zones.y, PERIODIC_Y);
+        const int z = zone_to_visit(home.z, kz, zones.z, PERIODIC_Z);
+        found += list_zone_at(w, self, zone_starts, members, x, y, z, partners ? partners + found : 0);
+      }
   return found;
 }
 

@@ -42,8 +42,8 @@ TEST_P(SameBits, OnEveryPathAndInEveryBuild) {
   EXPECT_EQ(digest_of(with_path(precision(), Path::small), scene(), ledger), small) << "with a ledger";
 }
 
-std::string varied_name(const ::testing::TestParamInfo<Varied>& info) {
-  return std::string(name_of(std::get<0>(info.param))) + "_" + std::get<1>(info.param);
+std::string varied_name(const ::testing::TestParamInfo<Varied>& param) {
+  return std::string(name_of(std::get<0>(param.param))) + "_" + std::get<1>(param.param);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SameBits,
