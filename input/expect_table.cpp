@@ -16,7 +16,7 @@ constexpr std::pair<std::string_view, Ending> endings[] = {{"refused", Ending::r
                                                            {"went_wrong", Ending::went_wrong}};
 
 std::string read_against(const Node& node) {
-  const std::string text = node.text();
+  std::string text = node.text();
   for (const std::string_view kind : {"closed_form:", "engine:", "invariant:", "value:"})
     if (text.starts_with(kind) && text.size() > kind.size()) return text;
   node.refuse("closed_form:NAME, engine:NAME, invariant:NAME or value:NUMBER");
@@ -102,6 +102,7 @@ void check_step(const WrittenExpectation& written, const std::vector<const Sweep
 
 std::vector<WrittenExpectation> read_expectations(const std::vector<Node>& tables) {
   std::vector<WrittenExpectation> out;
+  out.reserve(tables.size());
   for (const Node& node : tables) out.push_back({read_expectation(node.table()), node});
   return out;
 }

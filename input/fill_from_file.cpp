@@ -34,6 +34,8 @@ class CsvReader {
     for (const char* axis : {"x", "y", "z"})
       if (!columns_.contains(axis))
         refuse(0, "no column " + in_quotes(axis), "a header line with x, y and z");
+    if (has("vx") != has("vy") || has("vx") != has("vz"))
+      refuse(0, "a velocity with a component missing", "vx, vy and vz, or none of them");
   }
 
   bool next() {
@@ -103,7 +105,7 @@ std::vector<Filled> fill_from_file(const Table& table, const std::filesystem::pa
   if (!std::filesystem::is_regular_file(path, ignored) || !stream)
     path_node.refuse("path = " + in_quotes(path.string()), "a file that can be read");
   CsvReader csv(path.string(), stream);
-  const bool moving = csv.has("vx") && csv.has("vy") && csv.has("vz");
+  const bool moving = csv.has("vx");
   std::vector<Filled> filled;
   while (csv.next()) {
     if (filled.size() == largest)

@@ -33,7 +33,7 @@ Particle read_common(const Table& table, const Scene& scene) {
 std::vector<Node> read_one_each(const Table& table, std::string_view key, std::size_t count) {
   const auto node = table.find(key);
   if (!node) return {};
-  const auto elements = node->elements();
+  auto elements = node->elements();
   if (elements.size() != count)
     node->refuse(std::string(key) + " of " + std::to_string(elements.size()),
                  "one for each of the " + std::to_string(count) + " positions");

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -174,7 +175,8 @@ class CsvFill : public ::testing::Test {
 
   std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() /
-      ("grainproof-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+      ("grainproof-" + std::to_string(getpid()) + "-" +
+       std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(CsvFill, GivesPlacesVelocitiesAndIds) {
@@ -196,6 +198,8 @@ TEST_F(CsvFill, NamesItsOwnLines) {
   EXPECT_TRUE(refusal().starts_with(file + ":1:3: found unknown column \"w\"")) << refusal();
   write("x,y\n0.1,0.1\n");
   EXPECT_TRUE(refusal().starts_with(file + ":1:1: found no column \"z\"")) << refusal();
+  write("x,y,z,vx,vy\n0.1,0.1,0.1,1,1\n");
+  EXPECT_TRUE(refusal().starts_with(file + ":1:1: found a velocity with a component missing")) << refusal();
   write("x,y,z,id\n0.1,0.1,0.1,1.5\n");
   EXPECT_TRUE(refusal().starts_with(file + ":2:4: found id 1.5")) << refusal();
 }
