@@ -11,10 +11,20 @@ INLINE void resolve_all_pairs(World w, int i, int step) {
   finish_forces(w, load, self, step);
 }
 
-// From step `first` to step `last`. The forces of step 0 are taken here too.
-kernel void run_small(WORLD_PARAMETERS, const int first, const int last) {
+INLINE void record(World w, int i, int step, int slot, global Position* seen_positions, global real4* seen_velocities) {
+  const int entry = slot * get_global_size(0) + i;
+  seen_positions[entry] = w.positions[i];
+  seen_velocities[entry] = (real4)(velocity_at_boundary(w, i, step), 0);
+}
+
+// From step `first` to step `last`, writing down what is there at the steps in `sample_steps`, which increase; those
+// before `next_sample` are behind. The forces of step 0 are taken here too.
+kernel void run_small(WORLD_PARAMETERS, const int first, const int last, const global int* sample_steps,
+                      const int samples, const int next_sample, global Position* seen_positions,
+                      global real4* seen_velocities) {
   const World w = WORLD;
   const int i = get_global_id(0);
+  int next = next_sample;
   if (first == 0) resolve_all_pairs(w, i, 0);
   barrier(CLK_GLOBAL_MEM_FENCE);
   for (int step = first + 1; step <= last; ++step) {
@@ -25,6 +35,7 @@ kernel void run_small(WORLD_PARAMETERS, const int first, const int last) {
     } else if (i == 0) {
       w.signals[HALTED] = 1;
     }
+    if (next < samples && sample_steps[next] == step) record(w, i, step, next++, seen_positions, seen_velocities);
     barrier(CLK_GLOBAL_MEM_FENCE);
   }
   w.reported[i] = (real4)(velocity_at_boundary(w, i, last), 0);

@@ -54,6 +54,8 @@ class OpenClEngine : public SteppingEngine {
   Support supports(const Scene& scene, const Request& request) const override;
   std::unique_ptr<Run> start(const Scene& scene, const Request& request) override;
   Provenance provenance() const override;
+  /// As every stepping engine's, but a small scene's frames are taken by the device on its way.
+  Observations observe(const Scene& scene, const Request& request) override;
 
  private:
   EngineOptions options_;

@@ -72,11 +72,15 @@ Bytes DeviceRun::read_particles(const cl::Buffer& buffer, std::size_t bytes_each
 
 Frame DeviceRun::frame() {
   synchronise();
-  const Bytes positions = read_particles(world_.positions, decoder_->position_bytes());
-  const Bytes velocities = read_particles(world_.reported, decoder_->vector_bytes());
+  return frame_of(done_, read_particles(world_.positions, decoder_->position_bytes()),
+                  read_particles(world_.reported, decoder_->vector_bytes()));
+}
+
+Frame DeviceRun::frame_of(std::int64_t step, std::span<const std::byte> positions,
+                          std::span<const std::byte> velocities) const {
   Frame frame;
-  frame.step = done_;
-  frame.time = static_cast<double>(done_) * scene_.run.step;
+  frame.step = step;
+  frame.time = static_cast<double>(step) * scene_.run.step;
   frame.position.reserve(image_.particles);
   frame.velocity.reserve(image_.particles);
   for (std::size_t i = 0; i < image_.particles; ++i) {

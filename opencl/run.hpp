@@ -35,6 +35,9 @@ class DeviceRun : public Run {
   /// Throws RunWentWrong when a signal says so.
   void check_signals(std::span<const cl_int, signal_count> signals);
   std::int64_t done() const { return done_; }
+  /// From what the device holds: positions, and velocities at the step boundary.
+  Frame frame_of(std::int64_t step, std::span<const std::byte> positions,
+                 std::span<const std::byte> velocities) const;
 
   std::shared_ptr<Workshop> workshop_;
   Scene scene_;

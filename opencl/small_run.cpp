@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <bit>
 
+#include "model/errors.hpp"
+#include "opencl/bytes.hpp"
+
 namespace grainproof::opencl {
 namespace {
 
 /// Bounds the table of a time-dependent field, and how long a device is kept from answering.
 constexpr std::int64_t steps_a_launch = 1 << 16;
+
+/// Bounds the room for frames, at 4 kB a frame of 64 particles.
+constexpr std::size_t frames_a_launch = 4096;
 
 std::size_t group_for(const Scene& scene) {
   return std::bit_ceil(std::max<std::size_t>(scene.particles.size(), 1));
@@ -18,7 +24,17 @@ std::size_t group_for(const Scene& scene) {
 }  // namespace
 
 SmallRun::SmallRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const BuildOptions& options)
-    : DeviceRun(std::move(workshop), scene, options, ZoneGrid{}, group_for(scene)) {}
+    : DeviceRun(std::move(workshop), scene, options, ZoneGrid{}, group_for(scene)), none_(make_samples({})) {}
+
+SmallRun::Samples SmallRun::make_samples(std::span<const std::int64_t> steps) {
+  Samples s;
+  s.steps.assign(steps.begin(), steps.end());
+  const std::size_t entries = std::max<std::size_t>(steps.size(), 1) * image_.padded;
+  s.steps_on_device = workshop_->upload(bytes_of(s.steps));
+  s.positions = workshop_->room(entries * decoder_->position_bytes());
+  s.velocities = workshop_->room(entries * decoder_->vector_bytes());
+  return s;
+}
 
 void SmallRun::take_steps(std::int64_t steps) {
   const std::int64_t end = done() + steps;
@@ -27,8 +43,11 @@ void SmallRun::take_steps(std::int64_t steps) {
     const std::int64_t last = std::min(end, first + steps_a_launch);
     use_gravity_of_steps(first, last);
     // A launch from step 0 also takes the forces of step 0, so it must be the first one.
-    launch_in_world(*workshop_, program_, "run_small", particles_, world_, static_cast<cl_int>(first),
-                    static_cast<cl_int>(last));
+    const auto next = std::upper_bound(samples_->steps.begin(), samples_->steps.end(), first);
+    launch_in_world(
+        *workshop_, program_, "run_small", particles_, world_, static_cast<cl_int>(first),
+        static_cast<cl_int>(last), samples_->steps_on_device, static_cast<cl_int>(samples_->steps.size()),
+        static_cast<cl_int>(next - samples_->steps.begin()), samples_->positions, samples_->velocities);
     first = last;
   } while (first < end);
 }
@@ -37,6 +56,44 @@ void SmallRun::settle() {
   std::array<cl_int, signal_count> signals{};
   workshop_->read(world_.signals, std::as_writable_bytes(std::span(signals)));
   check_signals(signals);
+}
+
+void SmallRun::record(std::span<const std::int64_t> steps, std::vector<Frame>& frames) {
+  while (!steps.empty() && steps.front() <= done()) {
+    frames.push_back(frame());
+    steps = steps.subspan(1);
+  }
+  while (!steps.empty()) {
+    const auto some = steps.first(std::min(frames_a_launch, steps.size()));
+    record_some(some, frames);
+    steps = steps.subspan(some.size());
+  }
+}
+
+void SmallRun::record_some(std::span<const std::int64_t> steps, std::vector<Frame>& frames) {
+  Samples samples = make_samples(steps);
+  samples_ = &samples;
+  advance(steps.back() - done());
+  samples_ = &none_;
+  const std::size_t entries = steps.size() * image_.padded;
+  Bytes positions(entries * decoder_->position_bytes()), velocities(entries * decoder_->vector_bytes());
+  workshop_->read_later(samples.positions, positions);
+  workshop_->read(samples.velocities, velocities);
+  const auto part = [&](const Bytes& all, std::size_t k) {
+    const std::size_t size = all.size() / steps.size();
+    return std::span<const std::byte>(all).subspan(k * size, size);
+  };
+  const auto append_before = [&](std::int64_t end) {
+    for (std::size_t k = 0; k < steps.size() && steps[k] < end; ++k)
+      frames.push_back(frame_of(steps[k], part(positions, k), part(velocities, k)));
+  };
+  try {
+    synchronise();
+  } catch (const RunWentWrong& failure) {
+    append_before(failure.step);
+    throw;
+  }
+  append_before(never);
 }
 
 }  // namespace grainproof::opencl

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <array>
+#include <span>
+#include <vector>
 
 #include "opencl/layout.hpp"
 #include "opencl/run.hpp"
@@ -13,12 +15,29 @@ class SmallRun : public DeviceRun {
  public:
   SmallRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const BuildOptions& options);
 
+  /// Goes on to the last of `steps`, which increase, and appends the frame of each; the device takes them on
+  /// the way, so a frame costs next to nothing. Throws RunWentWrong, with the frames before it appended.
+  void record(std::span<const std::int64_t> steps, std::vector<Frame>& frames);
+
   /// Particles up to which this path is taken.
   static constexpr std::size_t most_particles = 64;
 
  protected:
   void take_steps(std::int64_t steps) override;
   void settle() override;
+
+ private:
+  /// Frames that the device writes down during the launches of one record().
+  struct Samples {
+    std::vector<cl_int> steps;
+    cl::Buffer steps_on_device, positions, velocities;
+  };
+
+  Samples make_samples(std::span<const std::int64_t> steps);
+  void record_some(std::span<const std::int64_t> steps, std::vector<Frame>& frames);
+
+  Samples none_;
+  Samples* samples_ = &none_;
 };
 
 }  // namespace grainproof::opencl

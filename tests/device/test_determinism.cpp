@@ -103,6 +103,37 @@ TEST_P(ZonedBits, DoNotDependOnTheNumberOfThreads) {
 
 GRAINPROOF_IN_BOTH_PRECISIONS(ZonedBits);
 
+class Samples : public ::testing::TestWithParam<Precision> {};
+
+TEST_P(Samples, TakenOnTheWayEqualThoseOfARunThatStopsForThem) {
+  const Scene scene = varied_scene("leapfrog_verlet", 2);
+  OpenClEngine engine(with_path(GetParam(), Path::small));
+  Request every;
+  every.every_step = true;
+  const Observations on_the_way = engine.observe(scene, every);
+  const Observations stopping = static_cast<SteppingEngine&>(engine).SteppingEngine::observe(scene, every);
+  ASSERT_EQ(on_the_way.frames.size(), varied_steps + 1u);
+  ASSERT_EQ(stopping.frames.size(), varied_steps + 1u);
+  for (std::size_t k = 0; k < stopping.frames.size(); ++k) {
+    EXPECT_EQ(on_the_way.frames[k].step, stopping.frames[k].step);
+    EXPECT_EQ(on_the_way.frames[k].position, stopping.frames[k].position) << k;
+    EXPECT_EQ(on_the_way.frames[k].velocity, stopping.frames[k].velocity) << k;
+  }
+}
+
+TEST_P(Samples, EndBeforeTheStepThatWentWrong) {
+  Scene scene = varied_scene("boxed", 2);
+  scene.particles[4].velocity = {40, 0, 0};
+  OpenClEngine engine(with_path(GetParam(), Path::small));
+  Request every;
+  every.every_step = true;
+  const Observations seen = engine.observe(scene, every);
+  ASSERT_EQ(seen.outcome.status, Outcome::Status::went_wrong);
+  EXPECT_EQ(seen.frames.back().step, seen.outcome.step - 1);
+}
+
+GRAINPROOF_IN_BOTH_PRECISIONS(Samples);
+
 TEST(Digest, TellsStatesApart) {
   const auto options = with_path(Precision::double_precision, Path::small);
   Scene other = varied_scene("boxed");
