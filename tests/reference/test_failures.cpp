@@ -69,11 +69,15 @@ TEST(Failures, DeepOverlapAtASmallStepBlamesTheImpact) {
   EXPECT_NEAR(0.1 - (run->frame().position[1] - run->frame().position[0]).norm(), 0.025, 20.0 * 1e-5);
 }
 
+// 0.012 m is 0.24 of the radius 0.05 and 0.4 of the radius 0.03.
 TEST(Failures, LimitIsAShareOfTheSmallerRadius) {
-  Scene scene = closing_pair(1.0, 1e-5);  // turns at about v sqrt(m/k) = 0.009 m
-  EXPECT_NO_THROW(start(scene)->advance(5000));
-  scene.run.overlap_limit = 0.1;
-  EXPECT_THROW(start(scene)->advance(5000), RunWentWrong);
+  Scene scene = closing_pair(0.0, 1e-5);
+  scene.particles[1].diameter = scene.particles[1].effect_diameter = 0.06;
+  scene.particles[1].position.x() = 0.08 - 0.012;
+  scene.run.overlap_limit = 0.41;
+  EXPECT_NO_THROW(start(scene)->advance(1));
+  scene.run.overlap_limit = 0.39;
+  EXPECT_THROW(start(scene)->advance(1), RunWentWrong);
 }
 
 TEST(Failures, WallIsNamed) {

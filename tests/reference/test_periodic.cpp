@@ -74,5 +74,14 @@ TEST(Periodic, ParticleGivenOnTheUpperFaceIsReportedOnTheLower) {
   EXPECT_EQ(start(scene)->frame().position[0].x(), -0.25);
 }
 
+// −0.25 less 2⁻⁵⁵ plus the period 1 rounds to the upper face, which is outside.
+TEST(Periodic, LastDigitBeyondTheLowerFaceStaysInside) {
+  Scene scene = periodic_cube({0});
+  add_particle(scene, 0.1, {std::nextafter(-0.25, -1.0), 0.0, 0.0});
+  const double x = start(scene)->frame().position[0].x();
+  EXPECT_GE(x, -0.25);
+  EXPECT_LT(x, 0.75);
+}
+
 }  // namespace
 }  // namespace grainproof::testing
