@@ -60,19 +60,37 @@ Support fixed_particles_rest(const Scene& scene) {
 }
 
 /// Fixed particles and walls never meet each other, but are asked for all the same: simpler to say.
+/// How many particles of one material there are, and how many of them move.
+struct Population {
+  int all = 0;
+  int moving = 0;
+};
+
+std::vector<Population> populations(const Scene& scene) {
+  std::vector<Population> of(scene.materials.size());
+  for (const Particle& particle : scene.particles) {
+    ++of[particle.material].all;
+    if (!particle.fixed) ++of[particle.material].moving;
+  }
+  return of;
+}
+
+bool can_meet(const std::vector<Population>& of, std::size_t a, std::size_t b) {
+  if (a == b) return of[a].all > 1 && of[a].moving > 0;
+  return of[a].all > 0 && of[b].all > 0 && of[a].moving + of[b].moving > 0;
+}
+
 Support laws_are_given(const Scene& scene) {
-  std::vector<bool> used(scene.materials.size(), false);
-  for (const Particle& particle : scene.particles) used[particle.material] = true;
+  const std::vector<Population> of = populations(scene);
   const auto missing = [&](std::size_t a, std::size_t b) {
     return Support::no("no contact laws between the materials '" + scene.materials[a].name + "' and '" +
                        scene.materials[b].name + "'");
   };
-  for (std::size_t a = 0; a < used.size(); ++a) {
-    if (!used[a]) continue;
-    for (std::size_t b = a; b < used.size(); ++b)
-      if (used[b] && !scene.contacts.has(a, b)) return missing(a, b);
+  for (std::size_t a = 0; a < of.size(); ++a) {
+    for (std::size_t b = a; b < of.size(); ++b)
+      if (can_meet(of, a, b) && !scene.contacts.has(a, b)) return missing(a, b);
     for (const Wall& wall : scene.walls)
-      if (!scene.contacts.has(a, wall.material)) return missing(a, wall.material);
+      if (of[a].moving > 0 && !scene.contacts.has(a, wall.material)) return missing(a, wall.material);
   }
   return {};
 }

@@ -83,6 +83,13 @@ TEST(Supports, MissingContactLawsAreNamed) {
   expect_refused(scene, "'glass' and 'steel'");
 }
 
+TEST(Supports, MaterialsThatNeverMeetNeedNoLaws) {
+  Scene scene = small_scene();
+  scene.particles.resize(1);
+  scene.contacts = ContactTable(1);
+  EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
+}
+
 TEST(Supports, ClampedContactWithoutReboundIsRefused) {
   Scene scene = small_scene();
   scene.contacts.set(0, 0, linear(1e3, Restitution{0.0}, true));
