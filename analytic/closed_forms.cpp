@@ -78,7 +78,7 @@ class AnyClosedForm : public Engine {
   Support supports(const Scene& scene, const Request& request) const override {
     std::string because;
     for (const Row& row : table) {
-      const Support support = solved(row, scene, request).support;
+      Support support = solved(row, scene, request).support;
       if (support) return support;
       because += (because.empty() ? "" : "; ") + std::string(row.name) + ": " + support.because;
     }
@@ -95,6 +95,7 @@ class AnyClosedForm : public Engine {
 
 std::vector<std::string_view> closed_form_names() {
   std::vector<std::string_view> names;
+  names.reserve(table.size());
   for (const Row& row : table) names.push_back(row.name);
   return names;
 }

@@ -44,7 +44,7 @@ class Slide {
 
 std::string why_not(const Encounter& e) {
   if (e.first) return "there is no wall to slide on";
-  if (const std::string because = why_no_rest(e); !because.empty()) return because;
+  if (std::string because = why_no_rest(e); !because.empty()) return because;
   if (e.gravity_across.norm() > 1e-12 * -e.gravity) return "gravity also pulls along the wall";
   const double rest = resting_overlap(e);
   // One part in 10⁹ of the overlap is what a position 10⁵ overlaps away from 0 still resolves.
