@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The Grainproof authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The main job as a user runs it: every case on every engine.
+
+Usage: every_case.py PROGRAM SCENES. Fails unless all rows hold, every case was judged on the reference and
+on OpenCL in single and double, and LIGGGHTS was asked where a case does not say that it cannot be.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+OUR_ENGINES = {"reference", "opencl:single", "opencl:double"}
+CASES_FOR_PEERS = {"normal_collision", "normal_collision_wall", "settling", "sliding_dynamic", "drag", "pour_1000"}
+
+
+def judged(results, case, engine):
+    return [row for row in results if row["case"] == case and row["engine"] == engine and row["verdict"] == "pass"]
+
+
+def engine_of(row):
+    name = row["engine"]
+    return name if ":" in name or row["precision"] in ("", None) or name != "opencl" else f"opencl:{row['precision']}"
+
+
+def complaints(results, cases):
+    for row in results:
+        row["engine"] = engine_of(row)
+        if row["verdict"] == "fail":
+            yield f"{row['case']}, {row['engine']}, {row['quantity']} at {row['step']}: {row['reason']}"
+        if row["verdict"] == "unsupported" and row["engine"] in OUR_ENGINES:
+            yield f"{row['case']} is not supported by {row['engine']}: {row['reason']}"
+    for case in cases:
+        for engine in OUR_ENGINES:
+            if not judged(results, case, engine):
+                yield f"{case} was not judged on {engine}"
+    for case in CASES_FOR_PEERS:
+        if not judged(results, case, "liggghts"):
+            yield f"{case} was not judged on liggghts"
+
+
+def main(program, scenes):
+    cases = sorted(path.stem for path in pathlib.Path(scenes).glob("*.toml"))
+    with tempfile.TemporaryDirectory() as folder:
+        results_file = pathlib.Path(folder) / "results.json"
+        run = subprocess.run([program, "verify", "--quiet", "--json", results_file], stdout=subprocess.PIPE, text=True)
+        results = json.loads(results_file.read_text())["results"]
+    found = list(complaints(results, cases))
+    print("\n".join(run.stdout.splitlines()[-len(cases) - 4:]))
+    print("\n".join(found))
+    return 1 if found or run.returncode != 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
