@@ -3,6 +3,8 @@
 #include "report/claims.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "comparisons/quantity.hpp"
 
@@ -70,7 +72,9 @@ Verdict Line::verdict() const {
 std::optional<double> Line::margin() const {
   std::optional<double> smallest;
   for (const Row& row : steps) {
-    const double margin = row.tolerance / row.error;
+    if (std::isnan(row.tolerance)) continue;
+    const double margin =
+        row.error == 0.0 ? std::numeric_limits<double>::infinity() : row.tolerance / row.error;
     if (margin >= 0.0 && (!smallest || margin < *smallest)) smallest = margin;
   }
   return smallest;

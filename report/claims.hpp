@@ -19,7 +19,7 @@ struct Line {
   std::optional<Row> order;  ///< the row of the measured order
 
   Verdict verdict() const;
-  /// Smallest tolerance/error over the steps; nothing where no step has both.
+  /// Smallest tolerance/error over the steps; infinite without an error, nothing where no step has both.
   std::optional<double> margin() const;
 };
 

@@ -45,6 +45,11 @@ TEST(Claims, TakeTheSmallestMarginOfAllSteps) {
   EXPECT_DOUBLE_EQ(read_together(rows).claims[0].lines[0].margin().value(), 1.5);
 }
 
+TEST(Claims, HaveAnInfiniteMarginWithoutAnError) {
+  EXPECT_TRUE(std::isinf(
+      read_together({step_row("reference", "contact/8", 0.0, 0.0)}).claims[0].lines[0].margin().value()));
+}
+
 TEST(Claims, HaveNoMarginWhereNoNumberExists) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(read_together({step_row("reference", "contact/8", nan, 0.2)}).claims[0].lines[0].margin());
