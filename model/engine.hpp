@@ -58,6 +58,10 @@ class Run {
   virtual void synchronise() = 0;
   /// Synchronised positions and velocities at the current step boundary.
   virtual Frame frame() = 0;
+  /// Goes on to the last of `steps`, which increase, and appends the frame of each. A run that can write
+  /// frames down on its way, without stopping for them, overrides this. Throws RunWentWrong, with the
+  /// frames before it appended.
+  virtual void record(std::span<const std::int64_t> steps, std::vector<Frame>& frames);
   /// The stored state, in id order.
   virtual State state() = 0;
   /// 64 bits over the stored state in id order; comparable within one engine and precision.

@@ -7,20 +7,6 @@
 #include "model/errors.hpp"
 
 namespace grainproof {
-namespace {
-
-void record_frames(Run& run, std::span<const std::int64_t> steps, Observations& seen) {
-  std::int64_t done = 0;
-  for (std::int64_t n : steps) {
-    run.advance(n - done);
-    run.synchronise();
-    done = n;
-    seen.frames.push_back(run.frame());
-  }
-}
-
-}  // namespace
-
 std::int64_t step_at_or_after(double time, double step) {
   return static_cast<std::int64_t>(std::ceil(time / step - 1e-9));
 }
@@ -41,6 +27,16 @@ std::vector<std::int64_t> sample_steps(const Scene& scene, const Request& reques
   return steps;
 }
 
+void Run::record(std::span<const std::int64_t> steps, std::vector<Frame>& frames) {
+  std::int64_t done = counters().steps;
+  for (const std::int64_t n : steps) {
+    advance(n - done);
+    synchronise();
+    done = n;
+    frames.push_back(frame());
+  }
+}
+
 std::vector<Observations> Engine::observe_all(std::span<const Scene> scenes, const Request& request) {
   std::vector<Observations> all;
   all.reserve(scenes.size());
@@ -55,7 +51,7 @@ Observations SteppingEngine::observe(const Scene& scene, const Request& request)
   const std::unique_ptr<Run> run = start(scene, request);
   try {
     if (request.ledger) seen.initial_ledger = run->ledger();
-    record_frames(*run, sample_steps(scene, request), seen);
+    run->record(sample_steps(scene, request), seen.frames);
     if (request.ledger) seen.final_ledger = run->ledger();
   } catch (const RunWentWrong& failure) {
     seen.outcome = {Outcome::Status::went_wrong, failure.what(), failure.step, failure.time, failure.particles};

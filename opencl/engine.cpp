@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opencl/engine.hpp"
 
-#include <chrono>
-
 #include "model/errors.hpp"
 #include "opencl/limits.hpp"
 #include "opencl/small_run.hpp"
@@ -56,25 +54,6 @@ std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& requ
   const double skin = options_.skin.value_or(scene.run.skin >= 0.0 ? scene.run.skin : usual_skin(scene));
   return std::make_unique<ZonedRun>(workshop_, scene, build, choose_zones(scene, skin),
                                     static_cast<std::size_t>(options_.work_group));
-}
-
-Observations OpenClEngine::observe(const Scene& scene, const Request& request) {
-  if (!takes_small_path(options_.path, scene)) return SteppingEngine::observe(scene, request);
-  const auto began = std::chrono::steady_clock::now();
-  Observations seen;
-  seen.provenance = provenance();
-  const std::unique_ptr<Run> run = start(scene, request);
-  try {
-    if (request.ledger) seen.initial_ledger = run->ledger();
-    static_cast<SmallRun&>(*run).record(sample_steps(scene, request), seen.frames);
-    if (request.ledger) seen.final_ledger = run->ledger();
-  } catch (const RunWentWrong& failure) {
-    seen.outcome = {Outcome::Status::went_wrong, failure.what(), failure.step, failure.time,
-                    failure.particles};
-  }
-  seen.counters = run->counters();
-  seen.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  return seen;
 }
 
 Provenance OpenClEngine::provenance() const {

@@ -55,7 +55,6 @@ class OpenClEngine : public SteppingEngine {
   std::unique_ptr<Run> start(const Scene& scene, const Request& request) override;
   Provenance provenance() const override;
   /// As every stepping engine's, but a small scene's frames are taken by the device on its way.
-  Observations observe(const Scene& scene, const Request& request) override;
 
  private:
   EngineOptions options_;

@@ -15,9 +15,8 @@ class SmallRun : public DeviceRun {
  public:
   SmallRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const BuildOptions& options);
 
-  /// Goes on to the last of `steps`, which increase, and appends the frame of each; the device takes them on
-  /// the way, so a frame costs next to nothing. Throws RunWentWrong, with the frames before it appended.
-  void record(std::span<const std::int64_t> steps, std::vector<Frame>& frames);
+  /// The device takes the frames on its way, so that one costs next to nothing.
+  void record(std::span<const std::int64_t> steps, std::vector<Frame>& frames) override;
 
   /// Particles up to which this path is taken.
   static constexpr std::size_t most_particles = 64;
