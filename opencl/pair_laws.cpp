@@ -59,6 +59,7 @@ struct FrictionInto {
     c.viscosity.constant += c.damping.constant;
     c.viscosity.per_root_mass += c.damping.per_root_mass;
   }
+  void operator()(const HistoryFriction& law) const { c.friction = law.coefficient; }
 };
 
 struct CohesionInto {
@@ -95,10 +96,11 @@ MassLaw damping_of(const LinearNormal& law) {
 PairCoefficients coefficients_of(const ContactLaws& laws, double step) {
   PairCoefficients c;
   std::visit(Overloaded{[&](const LinearNormal& law) {
-               c.stiffness = law.stiffness;
-               c.damping = damping_of(law);
-               c.no_tension = law.no_tension;
-             }},
+                          c.stiffness = law.stiffness;
+                          c.damping = damping_of(law);
+                          c.no_tension = law.no_tension;
+                        },
+                        [](const HertzNormal&) {}},
              laws.normal);
   std::visit(FrictionInto{c, step}, laws.friction);
   std::visit(CohesionInto{c}, laws.cohesion);
