@@ -100,10 +100,26 @@ Support restitutions_are_reachable(const Scene& scene) {
   for (std::size_t a = 0; a < materials; ++a)
     for (std::size_t b = a; b < materials; ++b) {
       if (!scene.contacts.has(a, b)) continue;
-      const auto& law = std::get<LinearNormal>(scene.contacts.at(a, b).normal);
-      const auto* restitution = std::get_if<Restitution>(&law.dissipation);
-      if (law.no_tension && restitution && restitution->value == 0.0)
+      const auto* law = std::get_if<LinearNormal>(&scene.contacts.at(a, b).normal);
+      if (!law || !law->no_tension) continue;
+      const auto* restitution = std::get_if<Restitution>(&law->dissipation);
+      if (restitution && restitution->value == 0.0)
         return Support::no("a contact that never pulls cannot rebound with restitution 0");
+    }
+  return {};
+}
+
+Support contacts_are_built(const Scene& scene) {
+  if (scene.rotation) return Support::no("the reference engine does not turn bodies");
+  const std::size_t materials = scene.contacts.materials();
+  for (std::size_t a = 0; a < materials; ++a)
+    for (std::size_t b = a; b < materials; ++b) {
+      if (!scene.contacts.has(a, b)) continue;
+      const ContactLaws& laws = scene.contacts.at(a, b);
+      if (std::holds_alternative<HertzNormal>(laws.normal))
+        return Support::no("the reference engine has no Hertz contacts");
+      if (std::holds_alternative<HistoryFriction>(laws.friction))
+        return Support::no("the reference engine has no friction with history");
     }
   return {};
 }
@@ -112,7 +128,7 @@ Support restitutions_are_reachable(const Scene& scene) {
 
 Support supported(const Scene& scene) {
   for (const auto& check : {laws_are_given, periods_hold_two_ranges, walls_fit_periods, fixed_particles_rest,
-                            restitutions_are_reachable})
+                            contacts_are_built, restitutions_are_reachable})
     if (const Support support = check(scene); !support) return support;
   return {};
 }

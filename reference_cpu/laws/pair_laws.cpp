@@ -6,8 +6,9 @@ namespace grainproof::reference {
 
 PairLaws resolve(const ContactLaws& laws, double step) {
   PairLaws resolved;
-  resolved.normal =
-      std::visit(Overloaded{[](const LinearNormal& law) { return spring_dashpot(law); }}, laws.normal);
+  resolved.normal = std::visit(Overloaded{[](const LinearNormal& law) { return spring_dashpot(law); },
+                                          [](const HertzNormal&) { return SpringDashpot{}; }},
+                               laws.normal);
   resolved.friction = slip_friction(laws.friction, resolved.normal.stiffness, step);
   resolved.cohesion =
       std::visit(Overloaded{[](const NoCohesion&) { return EffectSpring{}; },
