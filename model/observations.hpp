@@ -14,10 +14,10 @@ namespace grainproof {
 /// All particles at one step boundary, in the order of Scene::particles.
 struct Frame {
   std::int64_t step = 0;
-  double time = 0.0;                   ///< s, the frame's own, not the one asked for
-  std::vector<Vec3> position;          ///< m; inside the domain along periodic axes
-  std::vector<Vec3> velocity;          ///< m/s, synchronised with `time`
-  std::vector<Vec3> angular_velocity;  ///< rad/s, likewise; empty without rotation
+  double time = 0.0;                        ///< s, the frame's own, not the one asked for
+  std::vector<Vec3> position;               ///< m; inside the domain along periodic axes
+  std::vector<Vec3> velocity;               ///< m/s, synchronised with `time`
+  std::vector<Vec3> angular_velocity = {};  ///< rad/s, likewise; empty without rotation
 };
 
 /// Energy in J and impulse in N s since the start of the run, over all moving particles.

@@ -75,7 +75,8 @@ TypeTable atom_types(const Scene& scene) {
   for (std::size_t a = 0; a < scene.contacts.materials(); ++a)
     for (std::size_t b = 0; b <= a; ++b)
       if (scene.contacts.has(a, b))
-        table.no_tension |= std::get<LinearNormal>(scene.contacts.at(a, b).normal).no_tension;
+        if (const auto* law = std::get_if<LinearNormal>(&scene.contacts.at(a, b).normal))
+          table.no_tension |= law->no_tension;
   return table;
 }
 
@@ -113,7 +114,8 @@ PairParameters pair_parameters(const Scene& scene, const AtomType& a, const Atom
                         [&](const DampedFriction& law) {
                           pair.friction = law.coefficient;
                           pair.tangential_damping = law.stiffness * collision_time + pair.damping;
-                        }},
+                        },
+                        [](const HistoryFriction&) {}},  // refused before
              laws.friction);
   return pair;
 }

@@ -45,7 +45,11 @@ Support contact_support(const Scene& scene) {
       const ContactLaws& laws = scene.contacts.at(a, b);
       if (std::holds_alternative<LinearCohesion>(laws.cohesion))
         return Support::no("LIGGGHTS has no linear cohesion that reaches beyond the bodies");
-      (std::get<LinearNormal>(laws.normal).no_tension ? no_tension : tension) = true;
+      const auto* normal = std::get_if<LinearNormal>(&laws.normal);
+      if (!normal) return Support::no("Hertz contacts are not written for LIGGGHTS yet");
+      if (std::holds_alternative<HistoryFriction>(laws.friction))
+        return Support::no("history friction is not written for LIGGGHTS yet");
+      (normal->no_tension ? no_tension : tension) = true;
     }
   return tension && no_tension ? Support::no("LIGGGHTS limits the force of all contacts or of none")
                                : Support{};
@@ -82,6 +86,7 @@ Support wall_support(const Scene& scene) {
 
 Support expressible(const Scene& scene, const Request& request) {
   if (request.ledger) return Support::no("LIGGGHTS keeps no energy and impulse ledger");
+  if (scene.rotation) return Support::no("rotation is not written for LIGGGHTS yet");
   for (const Support& support : {integrator_support(scene.run.integrator), gravity_support(scene.gravity),
                                  flow_support(scene.flow), contact_support(scene), wall_support(scene)})
     if (!support) return support;
