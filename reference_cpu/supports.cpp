@@ -54,7 +54,7 @@ Support walls_fit_periods(const Scene& scene) {
 
 Support fixed_particles_rest(const Scene& scene) {
   for (const Particle& particle : scene.particles)
-    if (particle.fixed && particle.velocity != Vec3::Zero())
+    if (particle.fixed && (particle.velocity != Vec3::Zero() || particle.angular_velocity != Vec3::Zero()))
       return Support::no("the fixed particle " + std::to_string(particle.id) + " has a velocity");
   return {};
 }
@@ -109,18 +109,40 @@ Support restitutions_are_reachable(const Scene& scene) {
   return {};
 }
 
-Support contacts_are_built(const Scene& scene) {
-  if (scene.rotation) return Support::no("the reference engine does not turn bodies");
+Support turning_is_asked_for(const Scene& scene) {
+  if (scene.rotation) return {};
+  for (const Particle& particle : scene.particles)
+    if (particle.angular_velocity != Vec3::Zero())
+      return Support::no("particle " + std::to_string(particle.id) +
+                         " has an angular velocity in a scene without rotation");
+  return {};
+}
+
+/// What a spring is to be made of must be there.
+Support springs_are_given(const Scene& scene, std::size_t a, std::size_t b) {
+  const ContactLaws& laws = scene.contacts.at(a, b);
+  const bool hertz = std::holds_alternative<HertzNormal>(laws.normal);
+  const auto* history = std::get_if<HistoryFriction>(&laws.friction);
+  if (!hertz && history && !(history->stiffness > 0.0))
+    return Support::no("friction with history on a linear contact needs a tangential stiffness above zero");
+  if (!hertz) return {};
+  for (const std::size_t material : {a, b})
+    if (!scene.materials[material].elasticity)
+      return Support::no("a Hertz contact needs the elasticity of '" + scene.materials[material].name + "'");
+  if (!std::holds_alternative<Restitution>(std::get<HertzNormal>(laws.normal).dissipation))
+    return Support::no("a Hertz contact takes its damping from a restitution only");
+  if (std::holds_alternative<CollisionTimeFriction>(laws.friction) ||
+      std::holds_alternative<DampedFriction>(laws.friction))
+    return Support::no("this friction needs the contact time of a linear spring, which Hertz contacts lack");
+  return {};
+}
+
+Support all_springs_are_given(const Scene& scene) {
   const std::size_t materials = scene.contacts.materials();
   for (std::size_t a = 0; a < materials; ++a)
-    for (std::size_t b = a; b < materials; ++b) {
-      if (!scene.contacts.has(a, b)) continue;
-      const ContactLaws& laws = scene.contacts.at(a, b);
-      if (std::holds_alternative<HertzNormal>(laws.normal))
-        return Support::no("the reference engine has no Hertz contacts");
-      if (std::holds_alternative<HistoryFriction>(laws.friction))
-        return Support::no("the reference engine has no friction with history");
-    }
+    for (std::size_t b = a; b < materials; ++b)
+      if (scene.contacts.has(a, b))
+        if (const Support support = springs_are_given(scene, a, b); !support) return support;
   return {};
 }
 
@@ -128,7 +150,7 @@ Support contacts_are_built(const Scene& scene) {
 
 Support supported(const Scene& scene) {
   for (const auto& check : {laws_are_given, periods_hold_two_ranges, walls_fit_periods, fixed_particles_rest,
-                            contacts_are_built, restitutions_are_reachable})
+                            turning_is_asked_for, all_springs_are_given, restitutions_are_reachable})
     if (const Support support = check(scene); !support) return support;
   return {};
 }
