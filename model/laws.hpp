@@ -73,8 +73,8 @@ enum class TorqueArm {
 
 /// How the spring follows the tangent plane as a pair turns.
 enum class SpringTurn {
-  project,              ///< its part in the plane
-  project_and_rescale,  ///< the same at its former length (LAMMPS, LIGGGHTS)
+  project,              ///< its part in the plane (LAMMPS gran/hooke/history, LIGGGHTS)
+  project_and_rescale,  ///< the same at its former length (LAMMPS granular)
 };
 
 /// docs/laws/history.md. A tangential spring that lives as long as its contact.
