@@ -3,7 +3,6 @@
 #include "reference_cpu/contacts.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "reference_cpu/surfaces.hpp"
 #include "reference_cpu/touch.hpp"

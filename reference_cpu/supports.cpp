@@ -129,8 +129,9 @@ Support springs_are_given(const Scene& scene, std::size_t a, std::size_t b) {
   for (const std::size_t material : {a, b})
     if (!scene.materials[material].elasticity)
       return Support::no("a Hertz contact needs the elasticity of '" + scene.materials[material].name + "'");
-  if (!std::holds_alternative<Restitution>(std::get<HertzNormal>(laws.normal).dissipation))
-    return Support::no("a Hertz contact takes its damping from a restitution only");
+  const auto* restitution = std::get_if<Restitution>(&std::get<HertzNormal>(laws.normal).dissipation);
+  if (!restitution || restitution->value == 0.0)
+    return Support::no("a Hertz contact takes its damping from a restitution only, and one above 0");
   if (std::holds_alternative<CollisionTimeFriction>(laws.friction) ||
       std::holds_alternative<DampedFriction>(laws.friction))
     return Support::no("this friction needs the contact time of a linear spring, which Hertz contacts lack");

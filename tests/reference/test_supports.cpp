@@ -121,6 +121,7 @@ TEST(Supports, HertzContactNeedsElasticityAndARestitution) {
   scene.materials[0].elasticity.reset();
   expect_refused(scene, "elasticity of 'glass'");
   expect_refused(hertz_scene(Damping{1.0}, Frictionless{}), "restitution only");
+  expect_refused(hertz_scene(Restitution{0.0}, Frictionless{}), "above 0");
 }
 
 TEST(Supports, FrictionThatNeedsALinearContactTimeIsRefusedOnHertzContacts) {
