@@ -62,8 +62,8 @@ TEST(GrossSliding, ElasticStrikeTurnsBySpinAndSurfaceSpeedOfChungAndOoi) {
         const Strike strike{elasticity, density, 1e-5, 1.0, 0.3, 5.0, over_limit * 0.3 * 5.0, 0.0};
         const Rebound after = rebound_of(strike, limit);
         const double unit = 0.3 * 5.0;
-        EXPECT_NEAR(1e-5 * after.spin / unit, 5.0, 5e-3);
-        EXPECT_NEAR((after.tangential_speed - 1e-5 * after.spin) / unit, over_limit - 7.0, 7e-3);
+        EXPECT_NEAR(1e-5 * after.spin / unit, 5.0, 1e-5);
+        EXPECT_NEAR((after.tangential_speed - 1e-5 * after.spin) / unit, over_limit - 7.0, 1e-5);
         EXPECT_NEAR(after.normal_speed, 5.0, 5e-6);
       }
 }

@@ -105,5 +105,35 @@ TEST(HistoryAcrossAPeriodicFace, IsThatOfThePairThatMeetsNoFace) {
   EXPECT_GT(beside->frame().position[0].x(), 2.5);
 }
 
+/// A sphere that grips a plate and is carried over its edge at x = 0, 0.5 m/s against a soft spring.
+Scene over_an_edge() {
+  ContactLaws laws = linear(1e4, Restitution{0.9});
+  laws.friction = HistoryFriction{5.0, 10.0, 0.0};
+  Scene scene = empty_scene(laws, 1e-4);
+  scene.rotation = true;
+  scene.walls.push_back({"plate", 0, Rectangle{{-1.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}});
+  scene.gravity = ConstantGravity{{0.0, 0.0, -9.81}};
+  add_particle(scene, 0.1, {-0.01, 0.0, 0.049}, {0.5, 0.0, 0.0});
+  return scene;
+}
+
+// The nearest point runs on from face to edge, so the spring grows by no more than the slip of a step,
+// of which the sphere's 0.5 m/s and its turning have less than 1 m/s.
+TEST(HistoryOverAnEdge, IsThatOfOneContact) {
+  const auto run = start(over_an_edge());
+  double longest = 0.0;
+  Vec3 before = Vec3::Zero();
+  while (run->frame().position[0].x() < 0.01) {
+    run->advance(1);
+    const auto contacts = run->state().contacts;
+    ASSERT_EQ(contacts.size(), 1u);
+    EXPECT_EQ(contacts[0].feature, 0);
+    EXPECT_LE((contacts[0].tangential_displacement - before).norm(), 1e-4);
+    before = contacts[0].tangential_displacement;
+    longest = std::max(longest, before.norm());
+  }
+  EXPECT_GT(longest, 5e-3);
+}
+
 }  // namespace
 }  // namespace grainproof::testing
