@@ -28,12 +28,8 @@ Support laws_complete(const Scene& scene) {
   for (std::size_t a = 0; a < used.size(); ++a)
     for (std::size_t b = 0; b < used.size(); ++b) {
       if (!used[a] || !used[b] || !scene.contacts.has(a, b)) continue;
-      if (std::holds_alternative<HertzNormal>(scene.contacts.at(a, b).normal))
-        return Support::no("Hertz contacts are not built yet");
-      if (std::holds_alternative<HistoryFriction>(scene.contacts.at(a, b).friction))
-        return Support::no("friction with history is not built yet");
       try {
-        coefficients_of(scene.contacts.at(a, b), scene.run.step);
+        coefficients_of(scene, a, b);
       } catch (const InputRefused& refused) {
         return Support::no(refused.what());
       }
@@ -48,7 +44,6 @@ Support within_limits(const Scene& scene, Precision precision) {
   for (const Particle& p : scene.particles)
     if (!inside(p.position, scene.domain))
       return Support::no("particle " + std::to_string(p.id) + " is outside the domain");
-  if (scene.rotation) return Support::no("rotation is not built yet");
   const double reach = largest_reach(scene);
   const double longest = scene.domain.extent().maxCoeff();
   if (precision == Precision::single_precision && 2.0 * reach > longest)
