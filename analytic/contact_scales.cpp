@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analytic/hertz.hpp"
 #include "analytic/possible_contacts.hpp"
 #include "model/errors.hpp"
 
@@ -106,7 +107,8 @@ ContactScale scale_of(const Scene& scene, const PossibleContact& contact, const 
                                                      contact.between};
                                },
                                [&](const HertzNormal& law) {
-                                 const HertzPair pair = hertz_pair(scene, contact, law);
+                                 const HertzPair pair =
+                                     hertz_pair(scene, contact.materials, contact.mass, contact.radius, law);
                                  const double speed = contact.on_wall ? speeds.on_walls : speeds.of_pairs;
                                  const double peak = pair.peak_overlap(speed),
                                               k = pair.normal_stiffness(peak);

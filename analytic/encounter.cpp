@@ -140,6 +140,10 @@ Recognised recognise(const Scene& scene) {
   return head_on(e) ? found : no("friction makes the bodies turn");
 }
 
+bool starts_in_contact(const Encounter& e) {
+  return e.gap.position < -1e-12 * (e.touching + e.centre.norm());
+}
+
 bool head_on(const Encounter& e) {
   return e.slip.norm() <= direction_roundoff * std::hypot(e.gap.velocity, e.slip.norm()) &&
          e.gravity_across.norm() <= direction_roundoff * std::hypot(e.gravity, e.gravity_across.norm());

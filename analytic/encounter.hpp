@@ -50,6 +50,9 @@ Recognised recognise(const Scene& scene);
 /// No velocity across the normal, to round-off of the positions that define it.
 bool head_on(const Encounter& encounter);
 
+/// Overlapping by more than the rounding of positions.
+bool starts_in_contact(const Encounter& encounter);
+
 /// Slip of body 2 relative to body 1 since the start.
 struct Slip {
   Vec3 displacement;

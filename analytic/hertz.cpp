@@ -41,6 +41,17 @@ double hertz_damping_ratio(const Dissipation& dissipation) {
   return loss / std::hypot(boost::math::constants::pi<double>(), loss);
 }
 
+HertzPair hertz_pair(const Scene& scene, const std::pair<std::size_t, std::size_t>& materials, double mass,
+                     double radius, const HertzNormal& law) {
+  const Material& one = scene.materials[materials.first];
+  const Material& other = scene.materials[materials.second];
+  if (!one.elasticity || !other.elasticity)
+    throw InputRefused("found a Hertz contact of " + one.name + " and " + other.name +
+                       "; expected youngs_modulus and poisson_ratio of both");
+  return {mass, radius, hertz_modulus(*one.elasticity, *other.elasticity),
+          mindlin_modulus(*one.elasticity, *other.elasticity), hertz_damping_ratio(law.dissipation)};
+}
+
 double HertzPair::force_constant() const {
   return 4.0 / 3.0 * modulus * std::sqrt(radius);
 }

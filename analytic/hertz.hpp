@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "model/laws.hpp"
-#include "model/materials.hpp"
+#include <cstddef>
+#include <utility>
+
+#include "model/scene.hpp"
 
 /// What a Hertz contact's parameters say before anything runs. Equations in docs/laws/hertz.md.
 namespace grainproof::analytic {
@@ -35,5 +37,9 @@ struct HertzPair {
   double duration(double speed) const;          ///< of an elastic impact, s; infinite at rest (hertz.11)
   double resting_overlap(double weight) const;  ///< m (hertz.12)
 };
+
+/// Throws InputRefused where one of the two materials, by index, has no elasticity.
+HertzPair hertz_pair(const Scene& scene, const std::pair<std::size_t, std::size_t>& materials, double mass,
+                     double radius, const HertzNormal& law);
 
 }  // namespace grainproof::analytic

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "analytic/contact_scales.hpp"
-#include "model/errors.hpp"
+#include "analytic/hertz.hpp"
 
 namespace grainproof::analytic {
 namespace {
@@ -94,16 +94,6 @@ void add_walls(const Scene& scene, const std::vector<Lightest>& lightest,
 }
 
 }  // namespace
-
-HertzPair hertz_pair(const Scene& scene, const PossibleContact& contact, const HertzNormal& law) {
-  const auto& one = scene.materials[contact.materials.first];
-  const auto& other = scene.materials[contact.materials.second];
-  if (!one.elasticity || !other.elasticity)
-    throw InputRefused("found a Hertz contact of " + one.name + " and " + other.name +
-                       "; expected youngs_modulus and poisson_ratio of both");
-  return {contact.mass, contact.radius, hertz_modulus(*one.elasticity, *other.elasticity),
-          mindlin_modulus(*one.elasticity, *other.elasticity), hertz_damping_ratio(law.dissipation)};
-}
 
 double drag_rate(const Flow& flow, double density, double diameter) {
   const double viscosity = std::visit(

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "analytic/contact_scales.hpp"
-#include "analytic/hertz.hpp"
 #include "model/scene.hpp"
 
 namespace grainproof::analytic {
@@ -24,9 +23,6 @@ struct PossibleContact {
 };
 
 std::vector<PossibleContact> possible_contacts(const Scene& scene);
-
-/// Of a contact by Hertz' law. Throws InputRefused where a material has no elasticity.
-HertzPair hertz_pair(const Scene& scene, const PossibleContact& contact, const HertzNormal& law);
 
 /// Time scale, stiffness and dashpot of one contact.
 ContactScale scale_of(const Scene& scene, const PossibleContact& contact, const ClosingSpeeds& speeds);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "analytic/contact_scales.hpp"
+#include "analytic/hertz.hpp"
 #include "analytic/possible_contacts.hpp"
 
 /// Jury conditions of the update matrices in docs/laws/integrators.md.
@@ -56,7 +57,7 @@ double spring_limit(const Scene& scene, const PossibleContact& contact, const Co
                     const HistoryFriction& friction, double drag) {
   double stiffness = friction.stiffness, eta = friction.damping_ratio * scale.damping;
   if (const auto* hertz = std::get_if<HertzNormal>(&contact.laws->normal)) {
-    const HertzPair pair = hertz_pair(scene, contact, *hertz);
+    const HertzPair pair = hertz_pair(scene, contact.materials, contact.mass, contact.radius, *hertz);
     stiffness = pair.tangential_stiffness(scale.peak_overlap);
     eta = friction.damping_ratio * pair.damping(stiffness);
   }
