@@ -140,8 +140,10 @@ PairCoefficients coefficients_of(const Scene& scene, std::size_t a, std::size_t 
 MassLaw damping_of(const HertzNormal& law, double youngs_modulus) {
   const auto* wanted = std::get_if<Restitution>(&law.dissipation);
   if (wanted == nullptr) throw InputRefused("a Hertz contact takes its dashpot from a restitution");
+  if (!(wanted->value > 0.0))
+    throw InputRefused("restitution 0 in a Hertz contact, which then never ends; expected one above 0");
   const double log_e = std::log(wanted->value);
-  const double beta = wanted->value == 0.0 ? 1.0 : -log_e / std::hypot(log_e, pi);
+  const double beta = -log_e / std::hypot(log_e, pi);
   return {0.0, 2.0 * beta * std::sqrt(5.0 / 6.0 * 2.0 * youngs_modulus)};
 }
 

@@ -144,6 +144,8 @@ TEST(HertzCoefficients, RefusesWhatItCannotTell) {
   EXPECT_TRUE(engine.supports(scene, {}));
   scene.contacts.set(0, 0, {HertzNormal{Damping{1.0}}, Frictionless{}, NoCohesion{}});
   EXPECT_NE(engine.supports(scene, {}).because.find("restitution"), std::string::npos);
+  scene.contacts.set(0, 0, {HertzNormal{Restitution{0.0}}, Frictionless{}, NoCohesion{}});
+  EXPECT_NE(engine.supports(scene, {}).because.find("never ends"), std::string::npos);
   scene.contacts.set(0, 0, {HertzNormal{Restitution{1.0}}, CollisionTimeFriction{0.3, 1e5}, NoCohesion{}});
   EXPECT_NE(engine.supports(scene, {}).because.find("collision time"), std::string::npos);
   scene = impact_scene(impacts[0]);

@@ -142,6 +142,58 @@ TEST_P(History, ProjectionShortensByTheSquareOfTheTurnAStep) {
   EXPECT_LE(std::abs((1 - cut / kept) - expected), 0.05 * expected + rounding);
 }
 
+/// The same oblique, spinning hit, somewhere in a periodic box; both are of one size.
+Scene oblique_hit(const Vec3& shift) {
+  Scene scene = empty_scene(0.8);
+  scene.rotation = true;
+  scene.domain.boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
+  scene.contacts.set(0, 0,
+                     {LinearNormal{stiffness, Restitution{0.8}, false},
+                      law(CoulombLimit::spring_and_dashpot, 0.5), NoCohesion{}});
+  const Vec3 apart(0.0385, 0.026, -0.017), approach(-0.5, 0.4, 0.3);
+  scene.particles = {sphere(0, shift - apart, -approach), sphere(1, shift + apart, approach)};
+  for (Particle& p : scene.particles) p.angular_velocity = {10, -20, 30};
+  for (Particle& p : scene.particles)
+    for (int axis = 0; axis < 3; ++axis) p.position[axis] -= 2.0 * std::floor((p.position[axis] + 1.0) / 2.0);
+  return scene;
+}
+
+TEST_P(History, TheTwoSidesOfAContactAreMirrorImagesToTheLastBit) {
+  const State state = after(oblique_hit(Vec3::Zero()), 20);
+  ASSERT_EQ(state.contacts.size(), 1u);
+  EXPECT_EQ(state.velocity[0], Vec3(-state.velocity[1]));
+  EXPECT_EQ(state.angular_velocity[0], state.angular_velocity[1]);
+  EXPECT_NE(state.angular_velocity[0], Vec3(10, -20, 30));
+}
+
+TEST_P(History, GoesOnAcrossAPeriodicFace) {
+  const State inside = after(oblique_hit(Vec3::Zero()), 20), across = after(oblique_hit({1, 1, 1}), 20);
+  ASSERT_EQ(across.contacts.size(), 1u);
+  const Vec3 expected = inside.contacts[0].tangential_displacement;
+  // Positions near 1 m are rounded to 2^-53 m in double, 2^-54 of the box in single.
+  EXPECT_LE((across.contacts[0].tangential_displacement - expected).norm(),
+            tolerance() * expected.norm() + 1e-14);
+  EXPECT_LE((across.angular_velocity[1] - inside.angular_velocity[1]).norm(), tolerance() * 40 + 1e-10);
+}
+
+/// A bound pair drifts at 30 m/s through the box, so that it is listed anew and crosses the face on the way.
+TEST_P(History, OutlivesRebuildsAndTheCrossingItself) {
+  Scene scene = turning_pair(SpringTurn::project_and_rescale);
+  scene.domain.boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
+  scene.contacts.set(
+      0, 0, {LinearNormal{stiffness, Restitution{1.0}, false}, law(CoulombLimit::spring), NoCohesion{}});
+  const State still = after(scene, 200);
+  for (Particle& p : scene.particles) p.velocity.z() += 30.0, p.position.z() += 0.97;
+  const State moving = after(scene, 200);
+  ASSERT_EQ(moving.contacts.size(), 1u);
+  EXPECT_LT(moving.position[0].z(), 0.0);
+  const Vec3 expected = still.contacts[0].tangential_displacement;
+  // Slips are differences of velocities near 30 m/s.
+  EXPECT_LE((moving.contacts[0].tangential_displacement - expected).norm(),
+            tolerance() * 30.0 * 200 * scene.run.step);
+  EXPECT_GT(expected.norm(), 1e-5);
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, History,
                          ::testing::Combine(::testing::Values(Precision::single_precision,
                                                               Precision::double_precision),
