@@ -28,5 +28,6 @@ INLINE void meet_sphere(World w, Load* load, Body self, int j, int slot, int ste
   c.arm = torque_arm(radius, c.overlap, law);
   c.rolling = rolling_of_pair(w, self.index, c.arm, j, torque_arm(other_radius, c.overlap, law), c.normal);
   meet(load, c, law);
-  if (c.overlap > w.constants->limits.x * lesser_of(radius, other_radius)) blame(w, self.index, step, TOO_DEEP, j, OVERLAPPED_AT);
+  if (c.overlap > w.constants->limits.x * lesser_of(radius, other_radius))
+    blame(w, self.index, step, TOO_DEEP, j, OVERLAPPED_AT);
 }
