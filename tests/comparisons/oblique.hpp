@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -48,8 +49,9 @@ struct Oblique {
 
   Stiffness linear(const LinearNormal& law, double overlap) const {
     const double m = 1.0 / (bodies[0].inverse_mass + bodies[1].inverse_mass);
-    const double e = std::get<Restitution>(law.dissipation).value;
-    const double eta = e < 1.0 ? dashpot(e, m, law.stiffness) : 0.0;
+    const auto* given = std::get_if<Damping>(&law.dissipation);
+    const double e = given ? 1.0 : std::get<Restitution>(law.dissipation).value;
+    const double eta = given ? given->value : e < 1.0 ? dashpot(e, m, law.stiffness) : 0.0;
     return {law.stiffness * overlap, friction.stiffness, eta, friction.damping_ratio * eta};
   }
 
@@ -112,7 +114,9 @@ struct Oblique {
     turn(n);
     spring += advanced * slip;
     const Stiffness k = stiffness_at(overlap);
-    const double push = k.elastic - k.damping * u.dot(n);
+    double push = k.elastic - k.damping * u.dot(n);
+    const auto* normal_law = std::get_if<LinearNormal>(&scene.contacts.at(0, 0).normal);
+    if (normal_law && normal_law->no_tension) push = std::max(push, 0.0);
     const Vec3 pull = tangential(k, slip, friction.coefficient * std::abs(push));
     return {push * n + pull, -arm_1 * n.cross(pull), -arm_2 * n.cross(pull)};
   }

@@ -128,6 +128,43 @@ TEST(LiggghtsOblique, HertzWallContactsAreIntegratedAsTheirLawIsWritten) {
   EXPECT_LE(largest_difference(liggghts, hertz(as_liggghts, 0.7, 1.0), elastic<random_wall>), same);
 }
 
+TEST(Oblique, FrictionHasTheNormalForceThatIsLeftWithoutTension) {
+  LammpsEngine lammps;
+  LiggghtsEngine liggghts;
+  const LinearNormal normal{stiffness, Damping{120.0}, true};
+  EXPECT_LE(largest_difference(lammps, {normal, as_lammps}, random_pair, 30), same);
+  EXPECT_LE(largest_difference(lammps, {normal, as_lammps}, random_wall, 30), same);
+  EXPECT_LE(largest_difference(liggghts, {normal, as_liggghts}, random_pair, 30), same);
+  EXPECT_LE(largest_difference(liggghts, {normal, as_liggghts}, random_wall, 30), same);
+}
+
+/// A free pair, and one with a fixed partner: two dashpots, so two styles of a hybrid in LAMMPS.
+void expect_both_pairs(Engine& engine, const HistoryFriction& friction) {
+  Scene both = random_pair(linear(friction), 3);
+  Scene held = random_pair(linear(friction), 4);
+  Particle& still = held.particles[0];
+  held.particles[1].velocity -= still.velocity;
+  still = particle(3, still.position, Vec3::Zero(), true, still.diameter);
+  held.particles[1].id = 4;
+  for (Particle& body : held.particles) body.position.y() += 0.3;
+  const Frame free_pair = Oblique(both).run();
+  const Frame held_pair = Oblique(held).run();
+  both.particles.insert(both.particles.end(), held.particles.begin(), held.particles.end());
+  const Frame seen = engine.observe(both, {}).frames.back();
+  EXPECT_LE((seen.angular_velocity[0] - free_pair.angular_velocity[0]).norm() / 30.0, same);
+  EXPECT_LE((seen.velocity[1] - free_pair.velocity[1]).norm() / 2.0, same);
+  EXPECT_LE((seen.velocity[3] - held_pair.velocity[1]).norm() / 2.0, same);
+  EXPECT_LE((seen.angular_velocity[3] - held_pair.angular_velocity[1]).norm() / 30.0, same);
+  EXPECT_EQ(seen.angular_velocity[2], Vec3(Vec3::Zero()));
+}
+
+TEST(Oblique, PairsOfOneSceneKeepTheirOwnDashpotsAndSprings) {
+  LammpsEngine lammps;
+  LiggghtsEngine liggghts;
+  expect_both_pairs(lammps, as_lammps);
+  expect_both_pairs(liggghts, as_liggghts);
+}
+
 TEST(Oblique, SceneWithoutRotationLeavesSpinsAlone) {
   Scene scene = random_pair(linear(as_lammps), 1);
   scene.rotation = false;
