@@ -18,7 +18,7 @@ struct Row {
   Solution (*solve)(const Scene& scene, double until);
 };
 
-constexpr std::array<Row, 8> table{{
+constexpr std::array<Row, 11> table{{
     {"drag", drag},
     {"free_fall", free_fall},
     {"normal_collision", normal_collision},
@@ -27,6 +27,9 @@ constexpr std::array<Row, 8> table{{
     {"sliding", sliding},
     {"oblique_collision", oblique_collision},
     {"cohesive_collision", cohesive_collision},
+    {"hertz_collision", hertz_collision},
+    {"rolling", rolling},
+    {"gross_sliding", gross_sliding},
 }};
 
 std::vector<double> times_of(const Scene& scene, const Request& request) {

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "analytic/contact_scales.hpp"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 
+#include "analytic/hertz.hpp"
 #include "analytic/possible_contacts.hpp"
 #include "model/errors.hpp"
 
@@ -82,16 +84,55 @@ double contact_duration(double stiffness, double damping, double mass) {
   return ratio >= 1.0 ? undamped : undamped / std::sqrt((1.0 - ratio) * (1.0 + ratio));
 }
 
-std::optional<ContactScale> shortest_contact(const Scene& scene) {
+ClosingSpeeds::ClosingSpeeds(const Scene& scene, std::optional<double> impact_speed)
+    : of_pairs(0.0), on_walls(0.0) {
+  double second = 0.0;
+  for (const Particle& particle : scene.particles) {
+    const double speed = particle.fixed ? 0.0 : particle.velocity.norm();
+    second = std::max(second, std::min(speed, on_walls));
+    on_walls = std::max(on_walls, speed);
+  }
+  of_pairs = on_walls + second;
+  if (impact_speed) of_pairs = on_walls = *impact_speed;
+}
+
+ContactScale scale_of(const Scene& scene, const PossibleContact& contact, const ClosingSpeeds& speeds) {
+  return std::visit(Overloaded{[&](const LinearNormal& law) {
+                                 const double eta = damping(law, contact.mass);
+                                 return ContactScale{contact_duration(law.stiffness, eta, contact.mass),
+                                                     contact.mass,
+                                                     law.stiffness,
+                                                     eta,
+                                                     0.0,
+                                                     contact.between};
+                               },
+                               [&](const HertzNormal& law) {
+                                 const HertzPair pair =
+                                     hertz_pair(scene, contact.materials, contact.mass, contact.radius, law);
+                                 const double speed = contact.on_wall ? speeds.on_walls : speeds.of_pairs;
+                                 const double peak = pair.peak_overlap(speed),
+                                              k = pair.normal_stiffness(peak);
+                                 return ContactScale{pair.duration(speed), contact.mass, k,
+                                                     pair.damping(k),      peak,         contact.between};
+                               }},
+                    contact.laws->normal);
+}
+
+std::optional<ContactScale> shortest_contact(const Scene& scene, std::optional<double> impact_speed) {
+  const ClosingSpeeds speeds(scene, impact_speed);
   std::optional<ContactScale> shortest;
   for (const PossibleContact& contact : possible_contacts(scene)) {
-    const auto& normal = std::get<LinearNormal>(contact.laws->normal);
-    const double eta = damping(normal, contact.mass);
-    const double duration = contact_duration(normal.stiffness, eta, contact.mass);
-    if (!shortest || duration < shortest->duration)
-      shortest = {duration, contact.mass, normal.stiffness, eta, contact.between};
+    const ContactScale scale = scale_of(scene, contact, speeds);
+    if (!shortest || scale.duration < shortest->duration) shortest = scale;
   }
   return shortest;
+}
+
+bool lacks_impact_speed(const Scene& scene) {
+  if (ClosingSpeeds(scene).on_walls > 0.0) return false;
+  for (const PossibleContact& contact : possible_contacts(scene))
+    if (std::holds_alternative<HertzNormal>(contact.laws->normal)) return true;
+  return false;
 }
 
 }  // namespace grainproof::analytic

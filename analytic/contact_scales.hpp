@@ -8,7 +8,7 @@
 #include "model/scene.hpp"
 
 /// What a contact's parameters say before anything runs: masses, dashpots, durations, step limits.
-/// Equations in docs/laws/linear.md and docs/laws/integrators.md. SI throughout.
+/// Equations in docs/laws/linear.md, hertz.md and integrators.md. SI throughout.
 namespace grainproof::analytic {
 
 /// ρ π d³/6.
@@ -34,14 +34,28 @@ double contact_duration(double stiffness, double damping, double mass);
 struct ContactScale {
   double duration;        ///< s
   double effective_mass;  ///< kg
-  double stiffness;       ///< N/m
-  double damping;         ///< N s/m
+  double stiffness;       ///< N/m; of a Hertz contact at its deepest
+  double damping;         ///< N s/m; likewise
+  double peak_overlap;    ///< m, that a Hertz contact's numbers are taken at; 0 with the linear law
   std::string between;    ///< "glass and glass", "glass and wall floor"
 };
 
-/// Smallest `contact_duration` over the lightest pair of every two materials present and over the
-/// lightest sphere against every wall; none where nothing can touch.
-std::optional<ContactScale> shortest_contact(const Scene& scene);
+/// How fast bodies can meet, m/s: the sum of the two largest speeds at the start for two particles, the
+/// largest for a particle and a wall; `impact_speed` for both where it is given.
+struct ClosingSpeeds {
+  double of_pairs;
+  double on_walls;
+
+  explicit ClosingSpeeds(const Scene& scene, std::optional<double> impact_speed = std::nullopt);
+};
+
+/// Smallest duration over the lightest pair of every two materials present and over the lightest sphere
+/// against every wall; none where nothing can touch. A Hertz contact's is that of an elastic impact at
+/// the closing speed (hertz.11): infinite where nothing moves.
+std::optional<ContactScale> shortest_contact(const Scene& scene, std::optional<double> impact_speed = {});
+
+/// Whether a Hertz contact is possible, whose time scale depends on a speed, and nothing moves.
+bool lacks_impact_speed(const Scene& scene);
 
 /// A step must stay below `step`; infinity where nothing limits it.
 struct StepLimit {
@@ -55,12 +69,15 @@ double pair_stability_limit(Integrator integrator, double mass, double stiffness
                             double drag_rate = 0.0);
 
 /// Largest step at which static friction creeps to rest rather than chatters at the Coulomb limit
-/// (integrators.10); infinity for laws without a static branch.
+/// (integrators.10); infinity for laws without a static branch. `turning` says by how much more a force
+/// moves the point of contact than the centre: 7/2 where spheres turn, else 1 (rotation.4).
 double creep_limit(Integrator integrator, double mass, const LinearNormal& normal,
-                   const FrictionLaw& friction, double drag_rate = 0.0);
+                   const FrictionLaw& friction, double drag_rate = 0.0, double turning = 1.0);
 
 /// The smallest limit over the pairs of `shortest_contact`, their friction, and drag. Each contact is
 /// taken alone: a particle with many contacts is stiffer, and no allowance is made for that yet.
-StepLimit stability_limit(const Scene& scene);
+/// A Hertz contact counts with its stiffness and dashpot at the deepest overlap (hertz.13), a tangential
+/// spring likewise (history.8).
+StepLimit stability_limit(const Scene& scene, std::optional<double> impact_speed = {});
 
 }  // namespace grainproof::analytic

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analytic/contact_scales.hpp"
 
@@ -31,26 +32,31 @@ double Push::largest_force() const {
 }
 
 CoulombSlip::CoulombSlip(const Push& push, double coefficient, double speed)
-    : push_(push), coefficient_(coefficient), speed_(speed) {
-  turned_ = pushed(push.force_zero());
-  left_ = pulled(push.end());
+    : CoulombSlip([push](double time) { return push.gap(time); }, push.force_zero(), push.end(), coefficient,
+                  speed) {}
+
+CoulombSlip::CoulombSlip(std::function<Motion(double)> gap, double force_zero, double end, double coefficient,
+                         double speed)
+    : gap_(std::move(gap)), force_zero_(force_zero), end_(end), coefficient_(coefficient), speed_(speed) {
+  turned_ = pushed(force_zero_);
+  left_ = pulled(end_);
 }
 
 Motion CoulombSlip::at(double time) const {
-  if (time <= push_.force_zero()) return pushed(time);
-  if (time <= push_.end()) return pulled(time);
-  return {left_.position + left_.velocity * (time - push_.end()), left_.velocity};
+  if (time <= force_zero_) return pushed(time);
+  if (time <= end_) return pulled(time);
+  return {left_.position + left_.velocity * (time - end_), left_.velocity};
 }
 
 Motion CoulombSlip::pushed(double time) const {
-  const Motion gap = push_.gap(time), entry = push_.gap(0.0);
+  const Motion gap = gap_(time), entry = gap_(0.0);
   return {speed_ * time - coefficient_ * (gap.position - entry.velocity * time),
           speed_ - coefficient_ * (gap.velocity - entry.velocity)};
 }
 
 Motion CoulombSlip::pulled(double time) const {
-  const Motion turn = push_.gap(push_.force_zero()), gap = push_.gap(time);
-  const double since = time - push_.force_zero();
+  const Motion turn = gap_(force_zero_), gap = gap_(time);
+  const double since = time - force_zero_;
   return {turned_.position + turned_.velocity * since -
               coefficient_ * (turn.velocity * since - (gap.position - turn.position)),
           turned_.velocity - coefficient_ * (turn.velocity - gap.velocity)};

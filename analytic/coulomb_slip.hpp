@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
+
 #include "analytic/encounter.hpp"
 #include "analytic/linear_motion.hpp"
 #include "analytic/passage.hpp"
@@ -28,6 +30,10 @@ class CoulombSlip {
  public:
   CoulombSlip(const Push& push, double coefficient, double speed);
 
+  /// Through any normal contact that pushes until `force_zero` and acts until `end`.
+  CoulombSlip(std::function<Motion(double)> gap, double force_zero, double end, double coefficient,
+              double speed);
+
   Motion at(double time) const;
   double final_speed() const { return left_.velocity; }
 
@@ -35,8 +41,8 @@ class CoulombSlip {
   Motion pushed(double time) const;
   Motion pulled(double time) const;
 
-  Push push_;
-  double coefficient_, speed_;
+  std::function<Motion(double)> gap_;
+  double force_zero_, end_, coefficient_, speed_;
   Motion turned_{0.0, 0.0}, left_{0.0, 0.0};
 };
 

@@ -117,7 +117,7 @@ double Encounter::cohesion_stiffness() const {
   return law && reach > 0.0 ? law->stiffness : 0.0;
 }
 
-Recognised recognise(const Scene& scene) {
+Recognised recognise_bodies(const Scene& scene) {
   if (!std::holds_alternative<NoFlow>(scene.flow)) return no("a fluid acts on the particles");
   const auto* gravity = std::get_if<ConstantGravity>(&scene.gravity);
   if (!gravity) return no("gravity is not constant");
@@ -129,16 +129,34 @@ Recognised recognise(const Scene& scene) {
             std::to_string(scene.walls.size()) + " walls; expected one and one, or two particles alone");
 }
 
+Recognised recognise(const Scene& scene) {
+  Recognised found = recognise_bodies(scene);
+  if (!found.support) return found;
+  const Encounter& e = found.encounter;
+  if (!std::holds_alternative<LinearNormal>(e.laws.normal)) return no("the contact is not linear but Hertz'");
+  if (!scene.rotation || std::holds_alternative<Frictionless>(e.laws.friction)) return found;
+  for (const Particle& particle : scene.particles)
+    if (!particle.angular_velocity.isZero(0.0)) return no("a particle spins, and friction acts");
+  return head_on(e) ? found : no("friction makes the bodies turn");
+}
+
+bool starts_in_contact(const Encounter& e) {
+  return e.gap.position < -1e-12 * (e.touching + e.centre.norm());
+}
+
 bool head_on(const Encounter& e) {
   return e.slip.norm() <= direction_roundoff * std::hypot(e.gap.velocity, e.slip.norm()) &&
          e.gravity_across.norm() <= direction_roundoff * std::hypot(e.gravity, e.gravity_across.norm());
 }
 
 Frame frame_of(const Scene& scene, double time) {
-  Frame frame{step_at_or_after(time, scene.run.step), time, {}, {}};
+  Frame frame;
+  frame.step = step_at_or_after(time, scene.run.step);
+  frame.time = time;
   for (const Particle& particle : scene.particles) {
     frame.position.push_back(particle.position);
     frame.velocity.push_back(particle.velocity);
+    if (scene.rotation) frame.angular_velocity.push_back(particle.angular_velocity);
   }
   return frame;
 }

@@ -41,11 +41,17 @@ struct Recognised {
 };
 
 /// One free sphere and one wall, or two spheres of which at least one is free; no flow, constant
-/// gravity, no periodic axis.
+/// gravity, no periodic axis. Any laws, spinning or not.
+Recognised recognise_bodies(const Scene& scene);
+
+/// The same where the linear normal law holds and nothing can make the bodies turn.
 Recognised recognise(const Scene& scene);
 
 /// No velocity across the normal, to round-off of the positions that define it.
 bool head_on(const Encounter& encounter);
+
+/// Overlapping by more than the rounding of positions.
+bool starts_in_contact(const Encounter& encounter);
 
 /// Slip of body 2 relative to body 1 since the start.
 struct Slip {
@@ -53,7 +59,7 @@ struct Slip {
   Vec3 velocity;
 };
 
-/// All particles where the scene has them.
+/// All particles where the scene has them, spinning as they do there.
 Frame frame_of(const Scene& scene, double time);
 
 /// All particles of the scene when the gap and the slip are these.

@@ -99,8 +99,11 @@ std::string what_might_meet(const Scene& scene, const std::vector<Flight>& fligh
   return {};
 }
 
-Frame frame_of_flights(const std::vector<Flight>& flights, double time, double step) {
-  Frame frame{step_at_or_after(time, step), time, {}, {}};
+/// Nothing in flight changes a spin.
+Frame frame_of_flights(const std::vector<Flight>& flights, double time, double step, bool rotation) {
+  Frame frame;
+  frame.step = step_at_or_after(time, step);
+  frame.time = time;
   for (const Flight& flight : flights) {
     Vec3 position, velocity;
     for (int axis = 0; axis < 3; ++axis) {
@@ -110,6 +113,7 @@ Frame frame_of_flights(const std::vector<Flight>& flights, double time, double s
     }
     frame.position.push_back(position);
     frame.velocity.push_back(velocity);
+    if (rotation) frame.angular_velocity.push_back(flight.particle().angular_velocity);
   }
   return frame;
 }
@@ -130,8 +134,8 @@ Solution free_motion(const Scene& scene, const Vec3& gravity, const UniformFlow&
   if (const std::string because = what_might_meet(scene, flights, until); !because.empty())
     return Solution::no(because);
   Solution solution;
-  solution.frame_at = [flights, step = scene.run.step](double time) {
-    return frame_of_flights(flights, time, step);
+  solution.frame_at = [flights, step = scene.run.step, rotation = scene.rotation](double time) {
+    return frame_of_flights(flights, time, step, rotation);
   };
   return solution;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "analytic/contact_scales.hpp"
+#include "analytic/hertz.hpp"
 
 namespace grainproof::analytic {
 namespace {
@@ -16,8 +17,14 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 struct Body {
   double mass = never;
+  double radius = never;
   double drag = 0.0;
 };
+
+/// The lighter body; of two immovable ones the larger, whose Hertz contacts are the stiffer.
+bool comes_first(const Body& one, const Body& other) {
+  return std::isinf(one.mass) && std::isinf(other.mass) ? one.radius > other.radius : one.mass < other.mass;
+}
 
 /// The two lightest bodies of one material; a fixed one is infinitely heavy.
 struct Lightest {
@@ -25,10 +32,10 @@ struct Lightest {
   std::optional<Body> second;
 
   void add(const Body& body) {
-    if (!first || body.mass < first->mass) {
+    if (!first || comes_first(body, *first)) {
       second = first;
       first = body;
-    } else if (!second || body.mass < second->mass) {
+    } else if (!second || comes_first(body, *second)) {
       second = body;
     }
   }
@@ -38,8 +45,9 @@ std::vector<Lightest> lightest_of_each(const Scene& scene) {
   std::vector<Lightest> lightest(scene.materials.size());
   for (const Particle& particle : scene.particles) {
     const double density = scene.materials[particle.material].density;
-    const Body body = particle.fixed ? Body{}
-                                     : Body{sphere_mass(density, particle.diameter),
+    const double radius = 0.5 * particle.diameter;
+    const Body body = particle.fixed ? Body{never, radius}
+                                     : Body{sphere_mass(density, particle.diameter), radius,
                                             drag_rate(scene.flow, density, particle.diameter)};
     lightest[particle.material].add(body);
   }
@@ -47,10 +55,17 @@ std::vector<Lightest> lightest_of_each(const Scene& scene) {
 }
 
 /// Drag of an immovable partner says nothing.
-PossibleContact contact_of(std::string between, const Body& one, const Body& other, const ContactLaws& laws) {
+PossibleContact contact_of(std::string between, const Body& one, const Body& other, const ContactLaws& laws,
+                           std::pair<std::size_t, std::size_t> materials, bool on_wall) {
   const double one_drag = std::isinf(one.mass) ? other.drag : one.drag;
   const double other_drag = std::isinf(other.mass) ? one_drag : other.drag;
-  return {std::move(between), effective_mass(one.mass, other.mass), &laws, std::min(one_drag, other_drag),
+  return {std::move(between),
+          effective_mass(one.mass, other.mass),
+          effective_radius(one.radius, other.radius),
+          &laws,
+          materials,
+          on_wall,
+          std::min(one_drag, other_drag),
           std::max(one_drag, other_drag)};
 }
 
@@ -63,7 +78,7 @@ void add_pairs(const Scene& scene, const std::vector<Lightest>& lightest,
       if (!one || !other || !scene.contacts.has(a, b)) continue;
       if (std::isinf(one->mass) && std::isinf(other->mass)) continue;
       found.push_back(contact_of(scene.materials[a].name + " and " + scene.materials[b].name, *one, *other,
-                                 scene.contacts.at(a, b)));
+                                 scene.contacts.at(a, b), {a, b}, false));
     }
 }
 
@@ -74,7 +89,7 @@ void add_walls(const Scene& scene, const std::vector<Lightest>& lightest,
       const auto& body = lightest[a].first;
       if (!body || std::isinf(body->mass) || !scene.contacts.has(a, wall.material)) continue;
       found.push_back(contact_of(scene.materials[a].name + " and wall " + wall.name, *body, Body{},
-                                 scene.contacts.at(a, wall.material)));
+                                 scene.contacts.at(a, wall.material), {a, wall.material}, true));
     }
 }
 

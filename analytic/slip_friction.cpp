@@ -25,6 +25,7 @@ SlipFriction slip_friction(const Encounter& e, double step) {
           [&](const DampedFriction& law) {
             return SlipFriction{law.coefficient, law.stiffness * impact_time + damping(normal, e.mass)};
           },
+          [](const HistoryFriction&) { return SlipFriction{}; },
       },
       e.laws.friction);
 }

@@ -16,6 +16,7 @@ struct SlipFriction {
   bool acts() const { return coefficient > 0.0 && viscosity > 0.0; }
 };
 
+/// None for a friction that remembers: it is no function of the slip speed.
 SlipFriction slip_friction(const Encounter& encounter, double step);
 
 }  // namespace grainproof::analytic

@@ -23,8 +23,11 @@ Solution bounce(const Scene& scene, double until);
 Solution cohesive_collision(const Scene& scene, double until);
 Solution drag(const Scene& scene, double until);
 Solution free_fall(const Scene& scene, double until);
+Solution gross_sliding(const Scene& scene, double until);
+Solution hertz_collision(const Scene& scene, double until);
 Solution normal_collision(const Scene& scene, double until);
 Solution oblique_collision(const Scene& scene, double until);
+Solution rolling(const Scene& scene, double until);
 Solution settling(const Scene& scene, double until);
 Solution sliding(const Scene& scene, double until);
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "analytic/contact_scales.hpp"
+#include "analytic/hertz.hpp"
 #include "analytic/possible_contacts.hpp"
 
 /// Jury conditions of the update matrices in docs/laws/integrators.md.
@@ -36,24 +37,55 @@ void keep_smaller(StepLimit& limit, double step, const std::string& because) {
   if (step < limit.step) limit = {step, because};
 }
 
-std::string described(const PossibleContact& contact, const LinearNormal& normal, double eta) {
+std::string described(const ContactScale& scale) {
   std::ostringstream text;
   text.precision(6);
-  text << contact.between << " (effective mass " << contact.mass << " kg, stiffness " << normal.stiffness
-       << " N/m, damping " << eta << " N s/m)";
+  text << scale.between << " (effective mass " << scale.effective_mass << " kg, stiffness " << scale.stiffness
+       << " N/m, damping " << scale.damping << " N s/m";
+  if (scale.peak_overlap > 0.0) text << " at its deepest overlap of " << scale.peak_overlap << " m";
+  text << ")";
   return text.str();
 }
 
+/// A force at the point of contact of two spheres moves that point by 1/m + r²/I of each (rotation.4).
+double turning_of(const Scene& scene) {
+  return scene.rotation ? 3.5 : 1.0;
+}
+
+/// The tangential spring of a lasting contact (history.8).
+double spring_limit(const Scene& scene, const PossibleContact& contact, const ContactScale& scale,
+                    const HistoryFriction& friction, double drag) {
+  double stiffness = friction.stiffness, eta = friction.damping_ratio * scale.damping;
+  if (const auto* hertz = std::get_if<HertzNormal>(&contact.laws->normal)) {
+    const HertzPair pair = hertz_pair(scene, contact.materials, contact.mass, contact.radius, *hertz);
+    stiffness = pair.tangential_stiffness(scale.peak_overlap);
+    eta = friction.damping_ratio * pair.damping(stiffness);
+  }
+  return pair_stability_limit(scene.run.integrator, contact.mass / turning_of(scene), stiffness, eta, drag);
+}
+
+double friction_limit(const Scene& scene, const PossibleContact& contact, const ContactScale& scale,
+                      double drag) {
+  if (const auto* history = std::get_if<HistoryFriction>(&contact.laws->friction))
+    return spring_limit(scene, contact, scale, *history, drag);
+  // The static branches that refer to a normal stiffness have the linear law's.
+  const auto* linear = std::get_if<LinearNormal>(&contact.laws->normal);
+  return creep_limit(scene.run.integrator, contact.mass,
+                     linear ? *linear : LinearNormal{scale.stiffness, Damping{scale.damping}},
+                     contact.laws->friction, drag, turning_of(scene));
+}
+
 /// Every condition is monotonic in the drag rate, so the two partners' rates bracket the pair's.
-void limit_by_contact(Integrator integrator, const PossibleContact& contact, StepLimit& limit) {
-  const auto& normal = std::get<LinearNormal>(contact.laws->normal);
-  const double eta = damping(normal, contact.mass);
-  const std::string pair = described(contact, normal, eta);
+void limit_by_contact(const Scene& scene, const PossibleContact& contact, const ClosingSpeeds& speeds,
+                      StepLimit& limit) {
+  const Integrator integrator = scene.run.integrator;
+  const ContactScale scale = scale_of(scene, contact, speeds);
+  const std::string pair = described(scale);
   for (const double drag : {contact.slowest_drag, contact.fastest_drag}) {
-    keep_smaller(limit, pair_stability_limit(integrator, contact.mass, normal.stiffness, eta, drag),
+    keep_smaller(limit, pair_stability_limit(integrator, contact.mass, scale.stiffness, scale.damping, drag),
                  "normal contact of " + pair + " under " + std::string(name_of(integrator)));
-    keep_smaller(limit, creep_limit(integrator, contact.mass, normal, contact.laws->friction, drag),
-                 "friction of " + pair + ": above it the contact chatters where it should creep to rest");
+    keep_smaller(limit, friction_limit(scene, contact, scale, drag),
+                 "friction of " + pair + ": above it the contact chatters where it should come to rest");
   }
 }
 
@@ -74,10 +106,10 @@ double pair_stability_limit(Integrator integrator, double mass, double stiffness
 }
 
 double creep_limit(Integrator integrator, double mass, const LinearNormal& normal,
-                   const FrictionLaw& friction, double drag_rate) {
+                   const FrictionLaw& friction, double drag_rate, double turning) {
   const double impact_time = boost::math::constants::pi<double>() * std::sqrt(mass / normal.stiffness);
   const auto limit_of = [&](double rate) {
-    return pair_stability_limit(integrator, mass, 0.0, rate, drag_rate);
+    return pair_stability_limit(integrator, mass, 0.0, turning * rate, drag_rate);
   };
   const double drag = integrator == Integrator::euler_trapezoid_implicit_drag ? -drag_rate : drag_rate;
   return std::visit(
@@ -87,21 +119,23 @@ double creep_limit(Integrator integrator, double mass, const LinearNormal& norma
           // k_f h² + (m/τ) h < 2 m: the law itself holds the step.
           [&](const StepFriction& law) {
             return 4.0 * mass /
-                   (mass * drag + std::sqrt(std::pow(mass * drag, 2) + 8.0 * law.stiffness * mass));
+                   (mass * drag + std::sqrt(std::pow(mass * drag, 2) + 8.0 * turning * law.stiffness * mass));
           },
           [&](const CollisionTimeFriction& law) { return limit_of(law.stiffness * impact_time); },
           [&](const DampedFriction& law) {
             return limit_of(law.stiffness * impact_time + damping(normal, mass));
           },
+          [](const HistoryFriction&) { return no_limit; },
       },
       friction);
 }
 
-StepLimit stability_limit(const Scene& scene) {
+StepLimit stability_limit(const Scene& scene, std::optional<double> impact_speed) {
   const Integrator integrator = scene.run.integrator;
   StepLimit limit{no_limit, "nothing limits the step"};
+  const ClosingSpeeds speeds(scene, impact_speed);
   for (const PossibleContact& contact : possible_contacts(scene))
-    limit_by_contact(integrator, contact, limit);
+    limit_by_contact(scene, contact, speeds, limit);
   for (const Particle& particle : scene.particles) {
     if (particle.fixed) continue;
     const double rate = drag_rate(scene.flow, scene.materials[particle.material].density, particle.diameter);

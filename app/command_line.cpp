@@ -73,8 +73,9 @@ void add_run(CLI::App& program, Command& chosen) {
   command->add_option("--out", options->out, "Write summary.json, frames as .vtp and frames.pvd here")
       ->type_name("DIR");
   command->add_option("--json", options->json, "Write the summary as JSON")->type_name("FILE");
-  command->add_flag("--csv", options->csv,
-                    "With --out: also frames.csv, time,id,x,y,z,vx,vy,vz in full precision");
+  command->add_flag(
+      "--csv", options->csv,
+      "With --out: also frames.csv, time,id,x,y,z,vx,vy,vz and with rotation wx,wy,wz, in full precision");
   command->add_flag("--force", options->force, "Run although the step is above the stability limit");
   command->add_option("--nth", options->nth, sweep_help)->type_name("N");
   command->callback([&chosen, options] {

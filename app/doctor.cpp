@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/doctor.hpp"
 
+#include <array>
 #include <fstream>
 
 #include "app/exit_code.hpp"
@@ -62,11 +63,16 @@ std::string version_of(const Peer& peer) {
 }
 
 void show_peers(std::ostream& out, const report::Paint& paint) {
-  const Peer liggghts{"liggghts", "liggghts", {"liggghts", "-in", "/dev/null", "-log", "none"}, "Version "};
+  const std::array peers{
+      Peer{"liggghts", "liggghts", {"liggghts", "-in", "/dev/null", "-log", "none"}, "Version "},
+      Peer{"lmp", "lammps", {"lmp", "-in", "/dev/null", "-log", "none"}, "LAMMPS ("},
+  };
   report::TextTable table({{"peer"}, {"found"}, {"version, or how to get it"}});
-  const auto program = find_program(liggghts.program);
-  table.add({liggghts.program, program ? program->string() : "no",
-             program ? version_of(liggghts) : std::string("apt-get install ") + liggghts.package});
+  for (const Peer& peer : peers) {
+    const auto program = find_program(peer.program);
+    table.add({peer.package, program ? program->string() : "no",
+               program ? version_of(peer) : std::string("apt-get install ") + peer.package});
+  }
   out << paint.bold("Peers") << "\n"
       << table.text(paint, "  ") << "  any program of your own: --engines external:COMMAND\n";
 }

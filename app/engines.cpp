@@ -8,6 +8,7 @@
 
 #include "analytic/closed_forms.hpp"
 #include "comparisons/external/engine.hpp"
+#include "comparisons/lammps/engine.hpp"
 #include "comparisons/liggghts/engine.hpp"
 #include "comparisons/peers/process.hpp"
 #include "model/errors.hpp"
@@ -70,6 +71,12 @@ std::vector<Made> make_liggghts(Rest, const EngineSettings&) {
   return one({"liggghts", std::make_unique<LiggghtsEngine>(), "", true});
 }
 
+std::vector<Made> make_lammps(Rest, const EngineSettings&) {
+  if (!find_program("lmp"))
+    return one({"lammps", nullptr, "not installed; on Debian: apt-get install lammps", true});
+  return one({"lammps", std::make_unique<LammpsEngine>(), "", true});
+}
+
 std::vector<Made> make_external(Rest command, const EngineSettings&) {
   if (command.empty()) throw InputRefused("engine external; expected external:COMMAND");
   return one({"external:" + command, std::make_unique<ExternalEngine>(command), "", true});
@@ -90,6 +97,7 @@ constexpr std::array known{
     Known{"opencl", "both precisions, or opencl:single, opencl:double", true, true, true, make_opencl},
     Known{"analytic", "the closed form that fits, or analytic:NAME", true, false, false, make_analytic},
     Known{"liggghts", "the installed LIGGGHTS", false, false, true, make_liggghts},
+    Known{"lammps", "the installed LAMMPS", false, false, true, make_lammps},
     Known{"external", "external:COMMAND, a program of your own (docs/external.md)", true, false, false,
           make_external},
 };

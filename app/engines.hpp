@@ -26,7 +26,7 @@ struct Made {
 };
 
 /// Engines by a name of the command line: "reference", "opencl" (all precisions), "opencl:double",
-/// "analytic", "liggghts", "external:COMMAND". Throws InputRefused for a name that is not known, with
+/// "analytic", "liggghts", "lammps", "external:COMMAND". Throws InputRefused for a name that is not known, with
 /// those that are. What is known but not here (no device, not installed) is a Made without engine.
 std::vector<Made> make_engines(const std::string& name, const EngineSettings& settings);
 

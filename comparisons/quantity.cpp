@@ -39,6 +39,8 @@ constexpr bool no = false;
 const std::array table{
     Quantity{"position", "the longest path of a particle", no, no, curve, position_error},
     Quantity{"velocity", "the largest exact speed", no, no, curve, velocity_error},
+    Quantity{"angular_velocity", "the largest exact spin, or speed over radius where nothing turns", no, no,
+             curve, angular_velocity_error},
     Quantity{"kinetic_energy", "its largest exact value", no, no, curve, kinetic_energy_error},
     Quantity{"restitution", "the exact value; the approach speed where that is zero", no, no, no,
              [](const S& s, const O& seen, const O& exact) {

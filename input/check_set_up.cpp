@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "analytic/contact_scales.hpp"
 #include "input/set_up.hpp"
 #include "input/sphere_grid.hpp"
 #include "input/text.hpp"
@@ -103,6 +104,13 @@ void check_periodic(const SetUp& set_up, const Document& document) {
   }
 }
 
+/// The harder a Hertz contact is hit, the shorter and the stiffer it is.
+void check_impact_speed(const SetUp& set_up, const Document& document) {
+  if (set_up.impact_speed || !analytic::lacks_impact_speed(set_up.scene)) return;
+  root(document).at("run").refuse("no impact_speed, where nothing moves yet and Hertz contacts are possible",
+                                  "impact_speed, which their duration and stiffness depend on");
+}
+
 }  // namespace
 
 void check_set_up(const SetUp& set_up, const Document& document) {
@@ -112,6 +120,7 @@ void check_set_up(const SetUp& set_up, const Document& document) {
   check_walls(set_up);
   check_overlaps(set_up);
   check_pairs_of_materials(set_up);
+  check_impact_speed(set_up, document);
 }
 
 }  // namespace grainproof::input

@@ -20,7 +20,7 @@ class Expansion {
         rotations_(rotations),
         set_up_(set_up),
         values_(std::move(values)),
-        contact_(shortest_contact_of(set_up.scene)),
+        contact_(shortest_contact_of(set_up)),
         out_(out) {
     if (sweep_.onset) check_touching(set_up_.scene, *sweep_.onset);
   }

@@ -14,6 +14,7 @@ struct Filled {
   Vec3 position;
   std::optional<Vec3> velocity;
   std::optional<std::int64_t> id;
+  Vec3 angular_velocity = Vec3::Zero();
 };
 
 /// `largest`: the most particles that may be made. `scene` holds what stands there already.

@@ -5,17 +5,33 @@
 
 namespace grainproof::input {
 
-void read_bodies(const Table& table) {
+namespace {
+
+std::optional<Elasticity> read_elasticity(const Table& table) {
+  const auto modulus = table.find("youngs_modulus");
+  const auto ratio = table.find("poisson_ratio");
+  if (!modulus && !ratio) return std::nullopt;
+  if (!ratio) modulus->refuse("youngs_modulus alone", "poisson_ratio beside it");
+  if (!modulus) ratio->refuse("poisson_ratio alone", "youngs_modulus beside it");
+  const Elasticity elasticity{modulus->positive(), ratio->number()};
+  if (!(elasticity.poisson_ratio > -1.0 && elasticity.poisson_ratio <= 0.5))
+    ratio->refuse("a number above -1 and up to 0.5");
+  return elasticity;
+}
+
+}  // namespace
+
+void read_bodies(const Table& table, Scene& scene) {
   table.only({"rotation"});
-  if (const auto rotation = table.find("rotation"); rotation && rotation->boolean())
-    rotation->refuse("false; bodies that rotate are not available");
+  scene.rotation = table.boolean("rotation", false);
 }
 
 void read_materials(const Table& table, Scene& scene) {
   for (const Node& node : table.nodes()) {
     const Table material = node.table();
-    material.only({"density"});
-    scene.materials.push_back({std::string(node.name()), material.at("density").positive()});
+    material.only({"density", "youngs_modulus", "poisson_ratio"});
+    scene.materials.push_back(
+        {std::string(node.name()), material.at("density").positive(), read_elasticity(material)});
   }
   scene.contacts = ContactTable(scene.materials.size());
 }

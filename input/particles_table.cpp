@@ -44,18 +44,31 @@ void refuse_motion(const Particle& common, const Node& node) {
   if (common.fixed) node.refuse("no velocity, since fixed particles never move");
 }
 
-std::vector<Filled> read_explicit(const Table& table, Group& group, const Particle& common) {
-  table.only({"material", "diameter", "effect_diameter", "fixed", "positions", "velocities", "ids"});
+void read_spins(const Table& table, const Particle& common, bool rotation, std::vector<Filled>& filled) {
+  const auto spins = read_one_each(table, "angular_velocities", filled.size());
+  if (!spins.empty() && !rotation)
+    table.at("angular_velocities")
+        .refuse("angular_velocities in a scene without rotation", "rotation = true in [bodies]");
+  for (std::size_t i = 0; i < spins.size(); ++i) {
+    filled[i].angular_velocity = spins[i].vector();
+    if (!filled[i].angular_velocity.isZero(0.0)) refuse_motion(common, spins[i]);
+  }
+}
+
+std::vector<Filled> read_explicit(const Table& table, Group& group, const Particle& common, bool rotation) {
+  table.only({"material", "diameter", "effect_diameter", "fixed", "positions", "velocities",
+              "angular_velocities", "ids"});
   group.positions = table.at("positions").at_least_one();
   const auto velocities = read_one_each(table, "velocities", group.positions.size());
   group.ids = read_one_each(table, "ids", group.positions.size());
   std::vector<Filled> filled;
   for (std::size_t i = 0; i < group.positions.size(); ++i) {
-    filled.push_back({group.positions[i].vector(), {}, {}});
+    filled.push_back({group.positions[i].vector(), {}, {}, Vec3::Zero()});
     if (!velocities.empty()) filled.back().velocity = velocities[i].vector();
     if (!group.ids.empty()) filled.back().id = group.ids[i].integer_within(1, largest_id);
     if (filled.back().velocity && !filled.back().velocity->isZero(0.0)) refuse_motion(common, velocities[i]);
   }
+  read_spins(table, common, rotation, filled);
   return filled;
 }
 
@@ -98,6 +111,7 @@ void append(const std::vector<Filled>& filled, const Particle& common, Scene& sc
     Particle particle = common;
     particle.position = one.position;
     particle.velocity = common.fixed ? Vec3::Zero() : one.velocity.value_or(Vec3::Zero());
+    particle.angular_velocity = one.angular_velocity;
     particle.id = one.id.value_or(next);
     next = std::max(next, particle.id) + 1;
     scene.particles.push_back(particle);
@@ -118,7 +132,7 @@ void read_group(const Table& table, const Reading& reading, SetUp& set_up) {
     filled = read_fill(table, common, reading, set_up.scene);
     set_in_motion(table, common, filled);
   } else {
-    filled = read_explicit(table, group, common);
+    filled = read_explicit(table, group, common, set_up.scene.rotation);
   }
   append(filled, common, set_up.scene);
   set_up.groups.push_back(std::move(group));

@@ -58,12 +58,13 @@ StepWish read_step(const Node& node) {
 }
 
 void read_run(const Table& table, SetUp& set_up) {
-  table.only({"end", "step", "beyond_stability", "order", "integrator", "neighbours", "skin", "overlap_limit",
-              "record"});
+  table.only({"end", "step", "beyond_stability", "impact_speed", "order", "integrator", "neighbours", "skin",
+              "overlap_limit", "record"});
   RunSettings& run = set_up.scene.run;
   run.end = table.at("end").positive();
   if (const auto step = table.find("step")) set_up.step = read_step(*step);
   set_up.beyond_stability = table.boolean("beyond_stability", false);
+  if (const auto speed = table.find("impact_speed")) set_up.impact_speed = speed->positive();
   if (const auto order = table.find("order")) run.order = order->choice(orders);
   if (const auto integrator = table.find("integrator")) run.integrator = read_integrator(*integrator);
   if (const auto search = table.find("neighbours")) run.neighbours = search->choice(searches);

@@ -33,7 +33,7 @@ SetUp read_set_up(const Document& document, const Reading& reading) {
   if (const auto title = file.find("title")) set_up.scene.title = title->text();
   read_run(file.at("run").table(), set_up);
   read_domain(file.at("domain").table(), set_up.scene);
-  if (const auto bodies = file.find("bodies")) read_bodies(bodies->table());
+  if (const auto bodies = file.find("bodies")) read_bodies(bodies->table(), set_up.scene);
   if (const auto materials = file.find("material")) read_materials(materials->table(), set_up.scene);
   read_contacts(tables_of(file, "contact"), set_up.scene);
   read_domain_walls(file.at("domain").table(), set_up.scene);

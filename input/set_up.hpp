@@ -38,6 +38,7 @@ struct SetUp {
   Scene scene;  ///< particles in file order; step and sample times not yet resolved
   std::optional<StepWish> step;
   RecordWish record;
+  std::optional<double> impact_speed;  ///< m/s, that Hertz contacts' durations are taken at
   bool beyond_stability = false;
   std::vector<Group> groups;
 };
@@ -58,9 +59,9 @@ Integrator read_integrator(const Node& node);
 void read_run(const Table& table, SetUp& set_up);
 void read_domain(const Table& table, Scene& scene);
 void read_domain_walls(const Table& table, Scene& scene);  ///< needs the materials
-void read_bodies(const Table& table);
+void read_bodies(const Table& table, Scene& scene);
 void read_materials(const Table& table, Scene& scene);
-void read_contacts(const std::vector<Node>& tables, Scene& scene);
+void read_contacts(const std::vector<Node>& tables, Scene& scene);  ///< needs the materials
 void read_walls(const std::vector<Node>& tables, Scene& scene);
 void read_particles(const std::vector<Node>& tables, const Reading& reading, SetUp& set_up);
 void read_field(const Table& table, Scene& scene);
@@ -72,7 +73,7 @@ std::int32_t read_material_name(const Node& node, const Scene& scene);
 void check_pairs_of_materials(const SetUp& set_up);
 
 /// Refuses what no single table can see: particles outside, too deep in each other or in a wall, same
-/// ids, pairs without laws, a periodic box that is too small.
+/// ids, pairs without laws, a periodic box that is too small, Hertz contacts without a speed.
 void check_set_up(const SetUp& set_up, const Document& document);
 
 }  // namespace grainproof::input

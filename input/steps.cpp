@@ -16,8 +16,8 @@ constexpr double most_frames = 1e6;
 
 }  // namespace
 
-std::optional<double> shortest_contact_of(const Scene& scene) {
-  const auto shortest = analytic::shortest_contact(scene);
+std::optional<double> shortest_contact_of(const SetUp& set_up) {
+  const auto shortest = analytic::shortest_contact(set_up.scene, set_up.impact_speed);
   return shortest ? std::optional(shortest->duration) : std::nullopt;
 }
 
@@ -32,7 +32,7 @@ double resolved_step(const StepWish& wish, double dither, const std::optional<do
 
 StabilityGuard::StabilityGuard(const SetUp& set_up, bool force) : open_(force || set_up.beyond_stability) {
   if (open_) return;
-  const analytic::StepLimit limit = analytic::stability_limit(set_up.scene);
+  const analytic::StepLimit limit = analytic::stability_limit(set_up.scene, set_up.impact_speed);
   limit_ = limit.step;
   because_ = limit.because;
 }

@@ -12,7 +12,7 @@ namespace grainproof::input {
 double resolved_step(const StepWish& wish, double dither, const std::optional<double>& contact);
 
 /// Duration of the shortest contact of a scene, s.
-std::optional<double> shortest_contact_of(const Scene& scene);
+std::optional<double> shortest_contact_of(const SetUp& set_up);
 
 /// Guards the steps of one scene with one integrator.
 class StabilityGuard {

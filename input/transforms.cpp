@@ -74,6 +74,7 @@ void rotate(Scene& scene, const Rotation& rotation, const Node& place) {
   for (Particle& particle : scene.particles) {
     particle.position = turned(particle.position);
     particle.velocity = rotation * particle.velocity;
+    particle.angular_velocity = rotation * particle.angular_velocity;
   }
   for (Wall& wall : scene.walls) {
     auto& plane = std::get<Plane>(wall.shape);

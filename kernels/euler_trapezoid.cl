@@ -8,8 +8,9 @@ INLINE void integrate(World w, int i, int step) {
   kick(&m, w.accelerations[i].xyz * w.constants->time.x);
   const real3 twice_mean = before + m.velocity;
   book(w, i, w.constants->time.x, twice_mean * (real)0.5);
+  spin_up(w, i, w.constants->time.x);
   store_motion(w, i, m);
   drift_body(w, i, twice_mean, w.constants->time.w, step);
 }
 
-INLINE real3 velocity_at_boundary(World w, int i, int step) { return w.velocities[i].xyz; }
+INLINE real3 at_boundary(World w, Motion m, real3 acceleration, int step) { return m.velocity; }

@@ -14,8 +14,9 @@ INLINE void integrate(World w, int i, int step) {
   const real3 twice_mean = before + m.velocity;
   book(w, i, whole, twice_mean * (real)0.5);
   book_drag(w, i, whole, (stream - m.velocity) * rate, twice_mean * (real)0.5);
+  spin_up(w, i, whole);
   store_motion(w, i, m);
   drift_body(w, i, twice_mean, w.constants->time.w, step);
 }
 
-INLINE real3 velocity_at_boundary(World w, int i, int step) { return w.velocities[i].xyz; }
+INLINE real3 at_boundary(World w, Motion m, real3 acceleration, int step) { return m.velocity; }

@@ -13,15 +13,15 @@ INLINE void integrate(World w, int i, int step) {
     kick(&m, acceleration * half_step);
   }
   book(w, i, half_step, m.velocity);
+  spin_up(w, i, step > 1 ? whole : half_step);
   store_motion(w, i, m);
   drift_body(w, i, m.velocity, w.constants->time.z, step);
 }
 
 // The mean of the velocities half a step before and half a step after.
-INLINE real3 velocity_at_boundary(World w, int i, int step) {
-  Motion m = load_motion(w, i);
+INLINE real3 at_boundary(World w, Motion m, real3 acceleration, int step) {
   if (step == 0 || !(m.inverse_mass > 0)) return m.velocity;
   Motion next = m;
-  kick(&next, w.accelerations[i].xyz * w.constants->time.x);
+  kick(&next, acceleration * w.constants->time.x);
   return (m.velocity + next.velocity) * (real)0.5;
 }

@@ -21,6 +21,8 @@ INLINE void enter_normal(Account* a, real share, real power, real energy) {
 
 INLINE void enter_friction(Account* a, real share, real power) { a->tangential_power += share * power; }
 
+INLINE void enter_spring(Account* a, real share, real energy) { a->elastic += share * energy; }
+
 INLINE void enter_cohesion(Account* a, real share, real energy) { a->cohesive += share * energy; }
 
 // Forces of walls and fixed particles, whose share is 1, support; others cancel between two particles.

@@ -11,6 +11,7 @@ INLINE Account new_account() {
 }
 INLINE void enter_normal(Account* a, real share, real power, real energy) {}
 INLINE void enter_friction(Account* a, real share, real power) {}
+INLINE void enter_spring(Account* a, real share, real energy) {}
 INLINE void enter_cohesion(Account* a, real share, real energy) {}
 INLINE void enter_force(Account* a, real share, real3 force) {}
 INLINE void close_account(World w, int i, Account a, real3 gravity, real3 drag) {}

@@ -4,7 +4,7 @@ INLINE void meet_planes(World w, Load* load, Body self, int step) {
   const int planes = w.constants->counts.z;
   for (int k = 0; k < planes; ++k) {
     const global Plane* plane = &w.planes[k];
-    ContactPoint c = wall_contact(self);
+    ContactPoint c = wall_contact(w, self, k, step);
     c.normal = plane_normal(&plane->shape);
     c.overlap = plane_overlap(self.position, radius_of(self.position), &plane->shape, w.box);
     c.reach_overlap =

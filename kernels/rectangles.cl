@@ -6,8 +6,11 @@ INLINE void meet_rectangles(World w, Load* load, Body self, int step) {
     const global Rectangle* rectangle = &w.rectangles[k];
     const Separation s = rectangle_separation(self.position, &rectangle->shape, w.box);
     const Reach reach = reach_of(w, self.index, self.position);
-    if (!within(s, reach)) continue;
-    ContactPoint c = wall_contact(self);
+    ContactPoint c = wall_contact(w, self, w.constants->counts.z + k, step);
+    if (!within(s, reach)) {
+      release_spring(c.spring, c.share, c.duration, &load->account);
+      continue;
+    }
     c.normal = direction_of(s);
     c.overlap = overlap_of(s, radius_of(self.position), w.box);
     c.reach_overlap = reaches_farther() ? overlap_of(s, reach, w.box) : 0;

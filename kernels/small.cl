@@ -4,24 +4,26 @@
 INLINE void resolve_all_pairs(World w, int i, int step) {
   const Body self = load_body(w, i);
   if (!(self.inverse_mass > 0)) return;
-  const int particles = w.constants->counts.x;
+  const int particles = w.constants->counts.x, row = i * get_global_size(0);
   Load load = no_load();
   for (int j = 0; j < particles; ++j)
-    if (j != i) meet_sphere(w, &load, self, j, step);
+    if (j != i) meet_sphere(w, &load, self, j, row + j, step);
   finish_forces(w, load, self, step);
 }
 
-INLINE void record(World w, int i, int step, int slot, global Position* seen_positions, global real4* seen_velocities) {
+INLINE void record(World w, int i, int step, int slot, global Position* seen_positions, global real4* seen_velocities,
+                   global real4* seen_spins) {
   const int entry = slot * get_global_size(0) + i;
   seen_positions[entry] = w.positions[i];
   seen_velocities[entry] = (real4)(velocity_at_boundary(w, i, step), 0);
+  report_spin(w, i, step, seen_spins, entry);
 }
 
 // From step `first` to step `last`, writing down what is there at the steps in `sample_steps`, which increase; those
 // before `next_sample` are behind. The forces of step 0 are taken here too.
 kernel void run_small(WORLD_PARAMETERS, const int first, const int last, const global int* sample_steps,
                       const int samples, const int next_sample, global Position* seen_positions,
-                      global real4* seen_velocities) {
+                      global real4* seen_velocities, global real4* seen_spins) {
   const World w = WORLD;
   const int i = get_global_id(0);
   int next = next_sample;
@@ -35,8 +37,10 @@ kernel void run_small(WORLD_PARAMETERS, const int first, const int last, const g
     } else if (i == 0) {
       w.signals[HALTED] = 1;
     }
-    if (next < samples && sample_steps[next] == step) record(w, i, step, next++, seen_positions, seen_velocities);
+    if (next < samples && sample_steps[next] == step)
+      record(w, i, step, next++, seen_positions, seen_velocities, seen_spins);
     barrier(CLK_GLOBAL_MEM_FENCE);
   }
   w.reported[i] = (real4)(velocity_at_boundary(w, i, last), 0);
+  report_spin(w, i, last, w.reported_spins, i);
 }

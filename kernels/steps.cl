@@ -26,7 +26,7 @@ kernel void resolve(WORLD_PARAMETERS, const global int* pair_starts, const globa
   const Body self = load_body(w, i);
   if (!(self.inverse_mass > 0)) return;
   Load load = no_load();
-  for (int k = pair_starts[i]; k < pair_starts[i + 1]; ++k) meet_sphere(w, &load, self, partners[k], step);
+  for (int k = pair_starts[i]; k < pair_starts[i + 1]; ++k) meet_sphere(w, &load, self, partners[k], k, step);
   finish_forces(w, load, self, step);
 }
 
@@ -34,4 +34,5 @@ kernel void report(WORLD_PARAMETERS, const int step) {
   const World w = WORLD;
   const int i = get_global_id(0);
   w.reported[i] = (real4)(velocity_at_boundary(w, i, step), 0);
+  report_spin(w, i, step, w.reported_spins, i);
 }

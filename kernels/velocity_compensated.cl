@@ -8,16 +8,19 @@ typedef struct {
   real inverse_mass;
 } Motion;
 
-INLINE Motion load_motion(World w, int i) {
-  const real4 v = w.velocities[i];
-  Motion m = {v.xyz, w.rests[i].xyz, v.w};
+INLINE Motion motion_in(const global real4* rates, const global real4* rests, int i) {
+  const real4 v = rates[i];
+  Motion m = {v.xyz, rests[i].xyz, v.w};
   return m;
 }
 
-INLINE void store_motion(World w, int i, Motion m) {
-  w.velocities[i] = (real4)(m.velocity, m.inverse_mass);
-  w.rests[i] = (real4)(m.rest, 0);
+INLINE void keep_motion(global real4* rates, global real4* rests, int i, Motion m) {
+  rates[i] = (real4)(m.velocity, m.inverse_mass);
+  rests[i] = (real4)(m.rest, 0);
 }
+
+INLINE Motion load_motion(World w, int i) { return motion_in(w.velocities, w.rests, i); }
+INLINE void store_motion(World w, int i, Motion m) { keep_motion(w.velocities, w.rests, i, m); }
 
 INLINE void kick(Motion* m, real3 change) {
   const real3 y = change + m->rest;

@@ -9,15 +9,16 @@ INLINE void integrate(World w, int i, int step) {
   if (step > 1) {
     book(w, i, half_step, m.velocity);
     kick(&m, change);
+    spin_up(w, i, half_step);
   }
   kick(&m, change);
+  spin_up(w, i, half_step);
   book(w, i, half_step, m.velocity);
   store_motion(w, i, m);
   drift_body(w, i, m.velocity, w.constants->time.z, step);
 }
 
-INLINE real3 velocity_at_boundary(World w, int i, int step) {
-  Motion m = load_motion(w, i);
-  if (step > 0 && m.inverse_mass > 0) kick(&m, w.accelerations[i].xyz * w.constants->time.y);
+INLINE real3 at_boundary(World w, Motion m, real3 acceleration, int step) {
+  if (step > 0 && m.inverse_mass > 0) kick(&m, acceleration * w.constants->time.y);
   return m.velocity;
 }

@@ -22,7 +22,18 @@ typedef struct {
   real viscosity;           // static limit per slip speed = viscosity + viscosity_root_mass sqrt(m)
   real viscosity_root_mass;
   real cohesion;            // k_c
+  real sliding;             // μ of a friction with history, docs/laws/history.md
+  real spring;              // k_t
+  real spring_damping;      // η_t = spring_damping + spring_damping_root_mass sqrt(m)
+  real spring_damping_root_mass;
+  int history;              // which variant, of the bits below
+  int hertz;                // stiffnesses grow with sqrt(R* δ): docs/laws/hertz.md
 } PairLaw;
+
+#define LIMIT_ON_SPRING 1  // else on spring and dashpot together
+#define ARM_SHORTENED 2    // by half the overlap
+#define TURN_PROJECTS 4    // and does not rescale
+#define REMEMBERS 8        // there is a spring at all
 
 typedef struct {
   PlaneShape shape;
@@ -63,6 +74,12 @@ typedef struct {
   global real4* reported;             // velocities at the step boundary
   global Tally* tallies;
   global LedgerSums* sums;
+  global real4* spins;                // angular velocities as the integrator holds them; w: 1/inertia, 0 when fixed
+  global real4* spin_rests;
+  global real4* angular_accelerations;
+  global real4* reported_spins;
+  global real4* springs;              // a slot for every entry of the list, or of the table of all pairs
+  global real4* wall_springs;         // a slot for every particle and wall; w as in history.cl
   global int4* faults;                // step, cause, partner or face
   global int* signals;
   int table_origin;
@@ -74,12 +91,14 @@ typedef struct {
       const global Reach *reaches, const global real *drag_rates, const global real4 *gravity_table,       \
       global Position *positions, global real4 *velocities, global real4 *rests,                           \
       global real4 *accelerations, global real4 *reported, global Tally *tallies, global LedgerSums *sums, \
+      global real4 *spins, global real4 *spin_rests, global real4 *angular_accelerations,                  \
+      global real4 *reported_spins, global real4 *springs, global real4 *wall_springs,                     \
       global int4 *faults, global int *signals, const int table_origin
 
 #define WORLD                                                                                     \
   {box,       constants,  laws,  planes,        rectangles, materials, reaches, drag_rates, gravity_table, \
-   positions, velocities, rests, accelerations, reported,   tallies,   sums,    faults,     signals,       \
-   table_origin}
+   positions, velocities, rests, accelerations, reported,   tallies,   sums,    spins,      spin_rests,    \
+   angular_accelerations, reported_spins, springs, wall_springs, faults, signals, table_origin}
 
 typedef struct {
   Position position;

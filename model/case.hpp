@@ -12,9 +12,9 @@ namespace grainproof {
 
 /// Which point of a case's sweep a resolved scene is.
 struct SweepPoint {
-  std::string step;               ///< as written: "contact/64", or the number of seconds
-  double steps_per_contact = 0.0; ///< nominal t_c/Δt; 0 where the step was given in seconds
-  int sample = 0;                 ///< onset phase, orientation, …: what a statistic is taken over
+  std::string step;                ///< as written: "contact/64", or the number of seconds
+  double steps_per_contact = 0.0;  ///< nominal t_c/Δt; 0 where the step was given in seconds
+  int sample = 0;                  ///< onset phase, orientation, …: what a statistic is taken over
   std::map<std::string, std::string> values;  ///< every other swept key: "integrator", "offset", …
 };
 
@@ -41,11 +41,11 @@ struct Expectation {
   Statistic statistic = Statistic::maximum;
   std::map<std::string, double> below;  ///< by step label; key "" holds for every step
   std::optional<OrderBound> order;
-  std::optional<int> sign;    ///< the mean signed error must have this sign
-  double ulps = 32.0;         ///< the round-off floor, in unit round-offs of the engine's precision
+  std::optional<int> sign;           ///< the mean signed error must have this sign
+  double ulps = 32.0;                ///< the round-off floor, in unit round-offs of the engine's precision
   std::vector<std::string> engines;  ///< restricts the row; empty is every engine
-  std::string outcome;        ///< "" (completed), "refused" or "went_wrong"
-  std::string reason;         ///< text that the refusal or failure must contain
+  std::string outcome;               ///< "" (completed), "refused" or "went_wrong"
+  std::string reason;                ///< text that the refusal or failure must contain
 };
 
 /// A scene file, expanded.

@@ -27,7 +27,12 @@ struct LinearNormal {
   bool no_tension = false;  ///< clamp: the normal force never pulls
 };
 
-using NormalLaw = std::variant<LinearNormal>;
+/// docs/laws/hertz.md. The moduli are the materials' own (Material::elasticity).
+struct HertzNormal {
+  Dissipation dissipation;  ///< Restitution only
+};
+
+using NormalLaw = std::variant<LinearNormal, HertzNormal>;
 
 struct Frictionless {};
 
@@ -54,8 +59,36 @@ struct DampedFriction {
   double stiffness;
 };
 
-using FrictionLaw =
-    std::variant<Frictionless, DynamicFriction, StepFriction, CollisionTimeFriction, DampedFriction>;
+/// What the Coulomb limit μ |F_n| is put on, and so what the spring is cut back to when it slides.
+enum class CoulombLimit {
+  spring,              ///< the spring alone; no dashpot while it slides (LIGGGHTS)
+  spring_and_dashpot,  ///< their sum (LAMMPS)
+};
+
+/// Distance from a sphere's centre at which tangential forces turn it.
+enum class TorqueArm {
+  radius,   ///< r (LAMMPS)
+  overlap,  ///< r − δ/2, a wall's whole overlap counted half as well (LIGGGHTS)
+};
+
+/// How the spring follows the tangent plane as a pair turns.
+enum class SpringTurn {
+  project,              ///< its part in the plane (LAMMPS gran/hooke/history, LIGGGHTS)
+  project_and_rescale,  ///< the same at its former length (LAMMPS granular)
+};
+
+/// docs/laws/history.md. A tangential spring that lives as long as its contact.
+struct HistoryFriction {
+  double coefficient;
+  double stiffness;      ///< k_t in N/m; not used with HertzNormal, whose k_t is Mindlin's
+  double damping_ratio;  ///< η_t/η_n; with HertzNormal the same factor on Mindlin's dashpot
+  CoulombLimit limit = CoulombLimit::spring_and_dashpot;
+  TorqueArm arm = TorqueArm::radius;
+  SpringTurn turn = SpringTurn::project_and_rescale;
+};
+
+using FrictionLaw = std::variant<Frictionless, DynamicFriction, StepFriction, CollisionTimeFriction,
+                                 DampedFriction, HistoryFriction>;
 
 struct NoCohesion {};
 

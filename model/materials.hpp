@@ -11,9 +11,16 @@
 
 namespace grainproof {
 
+/// Isotropic, linear; what Hertz contacts are made from.
+struct Elasticity {
+  double youngs_modulus;  ///< Pa
+  double poisson_ratio;   ///< in (−1, 0.5]
+};
+
 struct Material {
   std::string name;
   double density;  ///< kg/m³
+  std::optional<Elasticity> elasticity = std::nullopt;
 };
 
 /// The laws of every pair of materials, symmetric in the pair.

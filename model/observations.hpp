@@ -14,34 +14,36 @@ namespace grainproof {
 /// All particles at one step boundary, in the order of Scene::particles.
 struct Frame {
   std::int64_t step = 0;
-  double time = 0.0;           ///< s, the frame's own, not the one asked for
-  std::vector<Vec3> position;  ///< m; inside the domain along periodic axes
-  std::vector<Vec3> velocity;  ///< m/s, synchronised with `time`
+  double time = 0.0;                        ///< s, the frame's own, not the one asked for
+  std::vector<Vec3> position;               ///< m; inside the domain along periodic axes
+  std::vector<Vec3> velocity;               ///< m/s, synchronised with `time`
+  std::vector<Vec3> angular_velocity = {};  ///< rad/s, likewise; empty without rotation
 };
 
 /// Energy in J and impulse in N s since the start of the run, over all moving particles.
 /// balance() is constant up to the integrator's error.
 struct Ledger {
-  double kinetic = 0.0;
-  double elastic = 0.0;
-  double cohesive = 0.0;               ///< potential, never positive
-  double gravity_work = 0.0;           ///< done on the particles
-  double drag_work = 0.0;              ///< done on the particles by the fluid
-  double dissipated_normal = 0.0;      ///< taken out by normal dashpots
-  double dissipated_tangential = 0.0;  ///< taken out by friction
-  Vec3 support_impulse = Vec3::Zero(); ///< from walls and fixed particles
-  Vec3 field_impulse = Vec3::Zero();   ///< from gravity and drag
-  std::vector<Vec3> wall_impulses;     ///< per wall; empty where an engine keeps the sum only
+  double kinetic = 0.0;                 ///< of translation and of rotation
+  double elastic = 0.0;                 ///< in normal and in tangential springs
+  double cohesive = 0.0;                ///< potential, never positive
+  double gravity_work = 0.0;            ///< done on the particles
+  double drag_work = 0.0;               ///< done on the particles by the fluid
+  double dissipated_normal = 0.0;       ///< taken out by normal dashpots
+  double dissipated_tangential = 0.0;   ///< taken out by friction
+  Vec3 support_impulse = Vec3::Zero();  ///< from walls and fixed particles
+  Vec3 field_impulse = Vec3::Zero();    ///< from gravity and drag
+  std::vector<Vec3> wall_impulses;      ///< per wall; empty where an engine keeps the sum only
 
   double balance() const {
-    return kinetic + elastic + cohesive - gravity_work - drag_work + dissipated_normal + dissipated_tangential;
+    return kinetic + elastic + cohesive - gravity_work - drag_work + dissipated_normal +
+           dissipated_tangential;
   }
 };
 
 /// How a run ended. Failure is a value: a run that went wrong still has its frames up to there.
 struct Outcome {
   enum class Status { completed, went_wrong } status = Status::completed;
-  std::string reason;                   ///< cause and what to do about it; empty when completed
+  std::string reason;  ///< cause and what to do about it; empty when completed
   std::int64_t step = 0;
   double time = 0.0;                    ///< s
   std::vector<std::int64_t> particles;  ///< ids involved
@@ -57,11 +59,11 @@ struct Counters {
 
 /// Where a result came from.
 struct Provenance {
-  std::string engine;      ///< "reference", "opencl", "closed_form", "liggghts", …
-  std::string precision;   ///< "single", "mixed", "double"; empty for a closed form
+  std::string engine;     ///< "reference", "opencl", "closed_form", "liggghts", …
+  std::string precision;  ///< "single", "mixed", "double"; empty for a closed form
   std::string device;
   std::string version;
-  std::string variant;     ///< which of a peer's laws was used, where there was a choice
+  std::string variant;         ///< which of a peer's laws was used, where there was a choice
   double unit_roundoff = 0.0;  ///< of the precision: 2^-24 or 2^-53; 0 for a closed form
 };
 

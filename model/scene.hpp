@@ -33,14 +33,14 @@ enum class SumOrder { fast, canonical };
 enum class NeighbourSearch { automatic, all_pairs, cells, verlet_list };
 
 struct RunSettings {
-  double end;                      ///< s
-  double step;                     ///< s
+  double end;   ///< s
+  double step;  ///< s
   Integrator integrator = Integrator::velocity_verlet;
   SumOrder order = SumOrder::fast;
   NeighbourSearch neighbours = NeighbourSearch::automatic;
-  double skin = -1.0;              ///< m; negative leaves it to the engine
-  double overlap_limit = 0.5;      ///< fraction of the smaller radius; a deeper contact ends the run
-  std::vector<double> sample_times;///< s, increasing; the first is 0 and the last is `end`
+  double skin = -1.0;                ///< m; negative leaves it to the engine
+  double overlap_limit = 0.5;        ///< fraction of the smaller radius; a deeper contact ends the run
+  std::vector<double> sample_times;  ///< s, increasing; the first is 0 and the last is `end`
 };
 
 /// What an engine is given: complete, checked, with every number resolved.
@@ -54,6 +54,7 @@ struct Scene {
   std::vector<Wall> walls;          ///< walled faces of the domain included
   Gravity gravity = ConstantGravity{Vec3::Zero()};
   Flow flow = NoFlow{};
+  bool rotation = false;  ///< bodies turn; else nothing that has to do with turning is computed
 };
 
 }  // namespace grainproof

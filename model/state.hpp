@@ -10,20 +10,21 @@ namespace grainproof {
 
 /// What a law remembers of one contact, keyed by who touches whom and never by an index.
 struct ContactMemory {
-  std::int64_t first;    ///< particle id
-  std::int64_t second;   ///< particle id, or −1 − index for a wall
-  std::int32_t feature;  ///< face, edge or corner of the second; 0 for a sphere or a plane
+  std::int64_t first;            ///< particle id
+  std::int64_t second;           ///< particle id, or −1 − index for a wall
+  std::int32_t feature;          ///< face, edge or corner of the second; 0 for a sphere or a plane
   Vec3 tangential_displacement;  ///< m
 };
 
 /// What a run is made of at a step boundary: enough to go on from here.
 struct State {
   std::int64_t step = 0;
-  double time = 0.0;              ///< s
-  std::vector<std::int64_t> ids;  ///< increasing; the order of all arrays below
-  std::vector<Vec3> position;     ///< m
-  std::vector<Vec3> velocity;     ///< m/s, as the integrator holds it
-  double velocity_lag = 0.0;      ///< steps by which `velocity` is behind `time` (leap-frog: 1/2)
+  double time = 0.0;                   ///< s
+  std::vector<std::int64_t> ids;       ///< increasing; the order of all arrays below
+  std::vector<Vec3> position;          ///< m
+  std::vector<Vec3> velocity;          ///< m/s, as the integrator holds it
+  std::vector<Vec3> angular_velocity;  ///< rad/s, held like `velocity`; empty without rotation
+  double velocity_lag = 0.0;           ///< steps by which `velocity` is behind `time` (leap-frog: 1/2)
   std::vector<ContactMemory> contacts;
 };
 

@@ -20,7 +20,7 @@ std::vector<PairCoefficients> laws_in_play(const Scene& scene, const NearWalls& 
   for (std::size_t a = 0; a < scene.materials.size(); ++a)
     for (std::size_t b = 0; b < scene.materials.size(); ++b)
       if (of_particle[a] && (of_particle[b] || of_wall[b]) && scene.contacts.has(a, b))
-        laws.push_back(coefficients_of(scene.contacts.at(a, b), scene.run.step));
+        laws.push_back(coefficients_of(scene, a, b));
   return laws;
 }
 
@@ -85,6 +85,10 @@ BuildOptions build_options(const Scene& scene, const Request& request, Precision
   o.precision = precision;
   o.integrator = scene.run.integrator;
   o.friction = std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.friction > 0.0; });
+  o.history =
+      std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.history.coefficient > 0.0; });
+  o.hertz = std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.hertz; });
+  o.rotation = scene.rotation;
   o.cohesion = std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.cohesion > 0.0; });
   o.planes = !near.planes.empty();
   o.rectangles = !near.rectangles.empty();
@@ -100,6 +104,7 @@ BuildOptions build_options(const Scene& scene, const Request& request, Precision
 
 BuildOptions with_every_stage(BuildOptions lean) {
   lean.friction = lean.cohesion = lean.planes = lean.rectangles = lean.many_materials = lean.ledger = true;
+  lean.history = lean.hertz = lean.rotation = true;
   lean.periodic = {true, true, true};
   if (lean.flow == FlowKind::none) lean.flow = FlowKind::uniform;
   if (lean.gravity == GravityKind::none) lean.gravity = GravityKind::constant;
@@ -111,9 +116,12 @@ std::vector<std::string> kernel_files(const BuildOptions& o, bool pocl) {
       o.flow != FlowKind::none && o.integrator != Integrator::euler_trapezoid_implicit_drag;
   std::vector<std::string> files = number_files(o.precision, pocl);
   const std::vector<std::string> physics{o.ledger ? "ledger_kept.cl" : "ledger_none.cl",
+                                         o.hertz ? "rise_hertz.cl" : "rise_none.cl",
                                          "linear_normal.cl",
                                          o.friction ? "friction_viscous.cl" : "friction_none.cl",
                                          o.cohesion ? "cohesion_linear.cl" : "cohesion_none.cl",
+                                         o.history ? "history.cl" : "history_none.cl",
+                                         o.rotation ? "rotation.cl" : "rotation_none.cl",
                                          "contact.cl",
                                          "spheres.cl",
                                          "walls_common.cl",
@@ -124,12 +132,15 @@ std::vector<std::string> kernel_files(const BuildOptions& o, bool pocl) {
                                          drag_in_force ? "drag_in_force.cl" : "drag_by_integrator.cl",
                                          "forces.cl",
                                          "drift.cl",
-                                         std::string(name_of(o.integrator)) + ".cl"};
+                                         std::string(name_of(o.integrator)) + ".cl",
+                                         "boundary.cl",
+                                         o.rotation ? "boundary_spin.cl" : "boundary_spin_none.cl"};
   files.insert(files.end(), physics.begin(), physics.end());
   const std::vector<std::string> small{"small.cl"};
   const std::vector<std::string> zoned{"scan.cl", "sorting.cl", "zones.cl", "pairs.cl", "steps.cl"};
   const auto& path = o.small ? small : zoned;
   files.insert(files.end(), path.begin(), path.end());
+  if (o.history && !o.small) files.push_back("carry.cl");
   return files;
 }
 

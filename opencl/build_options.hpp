@@ -17,7 +17,10 @@ enum class GravityKind { none, constant, rotating, central };
 struct BuildOptions {
   Precision precision = Precision::double_precision;
   Integrator integrator = Integrator::velocity_verlet;
-  bool friction = false;
+  bool friction = false;  ///< any without history
+  bool history = false;
+  bool hertz = false;
+  bool rotation = false;
   bool cohesion = false;
   bool planes = false;
   bool rectangles = false;

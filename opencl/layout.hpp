@@ -98,6 +98,8 @@ template <class P>
 struct PairLaw {
   typename P::Real stiffness, damping, damping_root_mass, lowest;
   typename P::Real friction, viscosity, viscosity_root_mass, cohesion;
+  typename P::Real sliding, spring, spring_damping, spring_damping_root_mass;
+  cl_int history, hertz;
 };
 
 template <class P>
@@ -122,6 +124,9 @@ struct LedgerSums {
   typename P::Real4 sum[3];
   typename P::Real4 rest[3];
 };
+
+/// Bits of PairLaw::history, kernels/world.cl.
+enum HistoryBit { limit_on_spring = 1, arm_shortened = 2, turn_projects = 4, remembers = 8 };
 
 /// Signals and causes of kernels/faults.cl.
 enum Signal { stale_at, escaped_at, overlapped_at, halted, signal_count };

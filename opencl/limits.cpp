@@ -29,7 +29,7 @@ Support laws_complete(const Scene& scene) {
     for (std::size_t b = 0; b < used.size(); ++b) {
       if (!used[a] || !used[b] || !scene.contacts.has(a, b)) continue;
       try {
-        coefficients_of(scene.contacts.at(a, b), scene.run.step);
+        coefficients_of(scene, a, b);
       } catch (const InputRefused& refused) {
         return Support::no(refused.what());
       }

@@ -40,6 +40,7 @@ struct DampingOf {
 struct FrictionInto {
   PairCoefficients& c;
   double step;
+  double shear_modulus;  ///< G*, of a Hertz contact only
 
   void operator()(const Frictionless&) const {}
   void operator()(const DynamicFriction& law) const {
@@ -51,6 +52,7 @@ struct FrictionInto {
     c.viscosity.constant = law.stiffness * step;
   }
   void operator()(const CollisionTimeFriction& law) const {
+    if (c.hertz) throw InputRefused("a Hertz contact has no one collision time for its friction");
     c.friction = law.coefficient;
     c.viscosity.per_root_mass = law.stiffness * pi / std::sqrt(c.stiffness);
   }
@@ -58,6 +60,15 @@ struct FrictionInto {
     (*this)(CollisionTimeFriction{law.coefficient, law.stiffness});
     c.viscosity.constant += c.damping.constant;
     c.viscosity.per_root_mass += c.damping.per_root_mass;
+  }
+  /// A Hertz contact's dashpot grows with the root of its stiffness, and k_t/k_n is the same at any overlap.
+  void operator()(const HistoryFriction& law) const {
+    const double k = c.hertz ? 8.0 * shear_modulus : law.stiffness;
+    if (!(k > 0.0)) throw InputRefused("friction with history needs a tangential stiffness above 0");
+    const double normal = 1.5 * c.stiffness;  // of a Hertz contact: 2 E*
+    const double ratio = law.damping_ratio * (c.hertz ? std::sqrt(k / normal) : 1.0);
+    c.history = {law.coefficient, k,       {ratio * c.damping.constant, ratio * c.damping.per_root_mass},
+                 law.limit,       law.arm, law.turn};
   }
 };
 
@@ -92,17 +103,52 @@ MassLaw damping_of(const LinearNormal& law) {
   return std::visit(DampingOf{law.stiffness, law.no_tension}, law.dissipation);
 }
 
-PairCoefficients coefficients_of(const ContactLaws& laws, double step) {
+EffectiveModuli effective_moduli(const Material& a, const Material& b) {
+  double compliance = 0.0, shear_compliance = 0.0;
+  for (const Material* m : {&a, &b}) {
+    if (!m->elasticity) throw InputRefused("material " + m->name + " has no elasticity, which Hertz needs");
+    const auto [e, nu] = *m->elasticity;
+    compliance += (1.0 - nu * nu) / e;
+    shear_compliance += 2.0 * (2.0 - nu) * (1.0 + nu) / e;  // (2 − ν)/G, E13
+  }
+  return {1.0 / compliance, 1.0 / shear_compliance};
+}
+
+PairCoefficients coefficients_of(const Scene& scene, std::size_t a, std::size_t b) {
+  const ContactLaws& laws = scene.contacts.at(a, b);
   PairCoefficients c;
+  double shear_modulus = 0.0;
   std::visit(Overloaded{[&](const LinearNormal& law) {
-               c.stiffness = law.stiffness;
-               c.damping = damping_of(law);
-               c.no_tension = law.no_tension;
-             }},
+                          c.stiffness = law.stiffness;
+                          c.damping = damping_of(law);
+                          c.no_tension = law.no_tension;
+                        },
+                        [&](const HertzNormal& law) {
+                          const auto moduli = effective_moduli(scene.materials[a], scene.materials[b]);
+                          c.hertz = true;
+                          c.stiffness = 4.0 / 3.0 * moduli.youngs;
+                          c.damping = damping_of(law, moduli.youngs);
+                          shear_modulus = moduli.shear;
+                        }},
              laws.normal);
-  std::visit(FrictionInto{c, step}, laws.friction);
+  std::visit(FrictionInto{c, scene.run.step, shear_modulus}, laws.friction);
   std::visit(CohesionInto{c}, laws.cohesion);
   return c;
+}
+
+// docs/laws/hertz.md: 2 β sqrt(5/6) sqrt(m k_n), k_n = 2 E* sqrt(R* δ).
+MassLaw damping_of(const HertzNormal& law, double youngs_modulus) {
+  const auto* wanted = std::get_if<Restitution>(&law.dissipation);
+  if (wanted == nullptr) throw InputRefused("a Hertz contact takes its dashpot from a restitution");
+  if (!(wanted->value > 0.0))
+    throw InputRefused("restitution 0 in a Hertz contact, which then never ends; expected one above 0");
+  const double log_e = std::log(wanted->value);
+  const double beta = -log_e / std::hypot(log_e, pi);
+  return {0.0, 2.0 * beta * std::sqrt(5.0 / 6.0 * 2.0 * youngs_modulus)};
+}
+
+double inertia_of(const Particle& particle, const Scene& scene) {
+  return 0.4 * mass_of(particle, scene) * particle.diameter * particle.diameter / 4.0;
 }
 
 double mass_of(const Particle& particle, const Scene& scene) {
@@ -116,7 +162,7 @@ double shortest_contact(const Scene& scene) {
   for (std::size_t a = 0; a < scene.contacts.materials(); ++a)
     for (std::size_t b = a; b < scene.contacts.materials(); ++b)
       if (scene.contacts.has(a, b))
-        stiffest = std::max(stiffest, coefficients_of(scene.contacts.at(a, b), scene.run.step).stiffness);
+        if (const auto c = coefficients_of(scene, a, b); !c.hertz) stiffest = std::max(stiffest, c.stiffness);
   for (const Particle& p : scene.particles)
     if (!p.fixed) lightest = std::min(lightest, mass_of(p, scene));
   if (stiffest <= 0.0 || lightest == std::numeric_limits<double>::max()) return 0.0;

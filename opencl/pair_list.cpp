@@ -20,7 +20,7 @@ cl::Buffer integers(Workshop& workshop, std::size_t count) {
 }  // namespace
 
 PairList::PairList(Workshop& workshop, Program& program, const SceneImage& image, const Decoder& decoder,
-                   const ZoneGrid& grid, std::size_t work_group)
+                   const ZoneGrid& grid, std::size_t work_group, bool history)
     : workshop_(workshop),
       program_(program),
       particles_(image.particles),
@@ -33,20 +33,30 @@ PairList::PairList(Workshop& workshop, Program& program, const SceneImage& image
       zone_of_particle_(integers(workshop, padded_)),
       members_(integers(workshop, padded_)),
       pair_counts_(integers(workshop, padded_)),
-      pair_starts_(integers(workshop, padded_)),
-      partners_(integers(workshop, 0)),
-      built_at_(workshop.room(padded_ * decoder.position_bytes())) {}
+      built_at_(workshop.room(padded_ * decoder.position_bytes())),
+      history_(history),
+      spring_bytes_(decoder.vector_bytes()) {
+  for (Entries* entries : {&now_, &before_}) {
+    entries->starts = integers(workshop, history || entries == &now_ ? padded_ : 0);
+    entries->partners = integers(workshop, 0);
+    entries->springs = workshop.upload(Bytes(spring_bytes_));
+  }
+}
 
 void PairList::build(const World& world) {
   const Range particles{padded_, work_group_};
+  if (history_) std::swap(now_, before_);
   fill_zones(world);
   launch_in_world(workshop_, program_, "pair_count", particles, world, zone_starts_, members_, pair_counts_);
-  scan_.exclusive(pair_counts_, pair_starts_, padded_ + 1);
+  scan_.exclusive(pair_counts_, now_.starts, padded_ + 1);
   cl_int total = 0;
-  workshop_.read(pair_starts_, std::as_writable_bytes(std::span(&total, 1)), padded_ * sizeof(cl_int));
+  workshop_.read(now_.starts, std::as_writable_bytes(std::span(&total, 1)), padded_ * sizeof(cl_int));
   make_room(total);
-  launch_in_world(workshop_, program_, "pair_fill", particles, world, zone_starts_, members_, pair_starts_,
-                  partners_);
+  launch_in_world(workshop_, program_, "pair_fill", particles, world, zone_starts_, members_, now_.starts,
+                  now_.partners);
+  if (history_)
+    workshop_.launch(program_, "carry_springs", particles, before_.starts, before_.partners, before_.springs,
+                     now_.starts, now_.partners, now_.springs);
   entries_ = total;
 }
 
@@ -62,9 +72,11 @@ void PairList::fill_zones(const World& world) {
 }
 
 void PairList::make_room(std::int64_t entries) {
-  if (entries <= room_) return;
-  room_ = entries + entries / 4;
-  partners_ = workshop_.room(sizeof(cl_int) * static_cast<std::size_t>(room_));
+  if (entries <= now_.room) return;
+  now_.room = entries + entries / 4;
+  const auto room = static_cast<std::size_t>(now_.room);
+  now_.partners = workshop_.room(sizeof(cl_int) * room);
+  if (history_) now_.springs = workshop_.room(spring_bytes_ * room);
 }
 
 }  // namespace grainproof::opencl

@@ -10,18 +10,26 @@ namespace grainproof::opencl {
 class PairList {
  public:
   PairList(Workshop& workshop, Program& program, const SceneImage& image, const Decoder& decoder,
-           const ZoneGrid& grid, std::size_t work_group);
+           const ZoneGrid& grid, std::size_t work_group, bool history = false);
 
-  /// For the positions that `world` has now. Waits once, for the number of pairs.
+  /// For the positions that `world` has now. Waits once, for the number of pairs. With history, springs of
+  /// the list before are carried over.
   void build(const World& world);
 
-  const cl::Buffer& starts() const { return pair_starts_; }
-  const cl::Buffer& partners() const { return partners_; }
+  const cl::Buffer& starts() const { return now_.starts; }
+  const cl::Buffer& partners() const { return now_.partners; }
+  /// One vector an entry; not there without history.
+  const cl::Buffer& springs() const { return now_.springs; }
   const cl::Buffer& built_at() const { return built_at_; }
   /// Entries of the list: a pair of moving particles has two.
   std::int64_t entries() const { return entries_; }
 
  private:
+  struct Entries {
+    cl::Buffer starts, partners, springs;
+    std::int64_t room = 0;
+  };
+
   void fill_zones(const World& world);
   void make_room(std::int64_t entries);
 
@@ -33,8 +41,10 @@ class PairList {
   std::size_t work_group_;
   Scan scan_;
   cl::Buffer zone_counts_, zone_starts_, zone_of_particle_, members_;
-  cl::Buffer pair_counts_, pair_starts_, partners_, built_at_;
-  std::int64_t room_ = 0;
+  cl::Buffer pair_counts_, built_at_;
+  bool history_;
+  std::size_t spring_bytes_;
+  Entries now_, before_;  ///< the second only with history
   std::int64_t entries_ = 0;
 };
 

@@ -59,6 +59,8 @@ Ledger read_ledger(const Scene& scene, const Frame& now, const LedgerBytes& byte
     if (scene.particles[i].fixed) continue;
     reader.add(i, ledger);
     ledger.kinetic += mass_of(scene.particles[i], scene) * now.velocity[i].squaredNorm() / 2;
+    if (scene.rotation)
+      ledger.kinetic += inertia_of(scene.particles[i], scene) * now.angular_velocity[i].squaredNorm() / 2;
   }
   return ledger;
 }

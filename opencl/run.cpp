@@ -29,7 +29,7 @@ DeviceRun::DeviceRun(std::shared_ptr<Workshop> workshop, const Scene& scene, con
       options_(options),
       image_(make_image(scene, options.precision, grid, work_group)),
       decoder_(make_decoder(options.precision, scene.domain)),
-      world_(make_world(*workshop_, image_, *decoder_, options.ledger)),
+      world_(make_world(*workshop_, image_, *decoder_, options)),
       program_(workshop_->program(options)),
       particles_{image_.padded, work_group} {}
 
@@ -70,14 +70,19 @@ Bytes DeviceRun::read_particles(const cl::Buffer& buffer, std::size_t bytes_each
   return bytes;
 }
 
+Bytes DeviceRun::read_spins(const cl::Buffer& buffer) {
+  return scene_.rotation ? read_particles(buffer, decoder_->vector_bytes()) : Bytes{};
+}
+
 Frame DeviceRun::frame() {
   synchronise();
   return frame_of(done_, read_particles(world_.positions, decoder_->position_bytes()),
-                  read_particles(world_.reported, decoder_->vector_bytes()));
+                  read_particles(world_.reported, decoder_->vector_bytes()),
+                  read_spins(world_.reported_spins));
 }
 
 Frame DeviceRun::frame_of(std::int64_t step, std::span<const std::byte> positions,
-                          std::span<const std::byte> velocities) const {
+                          std::span<const std::byte> velocities, std::span<const std::byte> spins) const {
   Frame frame;
   frame.step = step;
   frame.time = static_cast<double>(step) * scene_.run.step;
@@ -86,6 +91,7 @@ Frame DeviceRun::frame_of(std::int64_t step, std::span<const std::byte> position
   for (std::size_t i = 0; i < image_.particles; ++i) {
     frame.position.push_back(decoder_->position(positions, i));
     frame.velocity.push_back(decoder_->vector(velocities, i));
+    if (scene_.rotation) frame.angular_velocity.push_back(decoder_->vector(spins, i));
   }
   return frame;
 }
@@ -99,10 +105,16 @@ State DeviceRun::state() {
   for (const Particle& p : scene_.particles) state.ids.push_back(p.id);
   state.position = now.position;
   state.velocity = now.velocity;
+  state.angular_velocity = now.angular_velocity;
+  state.contacts = memories();
   state.velocity_lag = lags ? 0.5 : 0.0;
   if (lags) {
     const Bytes held = read_particles(world_.velocities, decoder_->vector_bytes());
-    for (std::size_t i = 0; i < image_.particles; ++i) state.velocity[i] = decoder_->vector(held, i);
+    const Bytes turning = read_spins(world_.spins);
+    for (std::size_t i = 0; i < image_.particles; ++i) {
+      state.velocity[i] = decoder_->vector(held, i);
+      if (scene_.rotation) state.angular_velocity[i] = decoder_->vector(turning, i);
+    }
   }
   return state;
 }
@@ -113,6 +125,13 @@ std::uint64_t DeviceRun::digest() {
   hash = hashed(hash, read_particles(world_.positions, decoder_->position_bytes()));
   for (const cl::Buffer& vectors : {world_.velocities, world_.rests, world_.accelerations})
     hash = hashed(hash, read_particles(vectors, decoder_->vector_bytes()));
+  for (const cl::Buffer& vectors : {world_.spins, world_.spin_rests, world_.angular_accelerations})
+    hash = hashed(hash, read_spins(vectors));
+  for (const ContactMemory& memory : memories()) {
+    const std::array words{memory.first, memory.second};
+    hash = hashed(hash, std::as_bytes(std::span(words)));
+    hash = hashed(hash, std::as_bytes(std::span(memory.tangential_displacement.data(), 3)));
+  }
   return hash;
 }
 

@@ -37,7 +37,12 @@ class DeviceRun : public Run {
   std::int64_t done() const { return done_; }
   /// From what the device holds: positions, and velocities at the step boundary.
   Frame frame_of(std::int64_t step, std::span<const std::byte> positions,
-                 std::span<const std::byte> velocities) const;
+                 std::span<const std::byte> velocities, std::span<const std::byte> spins) const;
+  /// Of pairs, as the path keeps them, in any order.
+  virtual std::vector<ContactMemory> pair_memories() = 0;
+  /// Appends what the slot of particle i with particle j holds, where they touch and the other does not tell.
+  void append_memory(std::vector<ContactMemory>& found, std::size_t i, std::size_t j,
+                     std::span<const std::byte> springs, std::size_t slot) const;
 
   std::shared_ptr<Workshop> workshop_;
   Scene scene_;
@@ -52,7 +57,12 @@ class DeviceRun : public Run {
 
  private:
   void ensure_started();
+  /// By first and second; empty without history.
+  std::vector<ContactMemory> memories();
+  void append_wall_memories(std::vector<ContactMemory>& found);
   Bytes read_particles(const cl::Buffer& buffer, std::size_t bytes_each);
+  /// Nothing without rotation.
+  Bytes read_spins(const cl::Buffer& buffer);
 
   std::int64_t done_ = 0;
   bool settled_ = true;

@@ -76,7 +76,20 @@ class Imager {
     law.viscosity = c.unlimited ? largest : static_cast<Real>(c.viscosity.constant);
     law.viscosity_root_mass = static_cast<Real>(c.viscosity.per_root_mass);
     law.cohesion = static_cast<Real>(c.cohesion);
+    law.hertz = c.hertz;
+    remember(law, c.history);
     return law;
+  }
+
+  static void remember(PairLaw<P>& law, const HistoryCoefficients& h) {
+    if (!(h.coefficient > 0.0)) return;
+    law.sliding = static_cast<Real>(h.coefficient);
+    law.spring = static_cast<Real>(h.stiffness);
+    law.spring_damping = static_cast<Real>(h.damping.constant);
+    law.spring_damping_root_mass = static_cast<Real>(h.damping.per_root_mass);
+    law.history = remembers | (h.limit == CoulombLimit::spring ? limit_on_spring : 0) |
+                  (h.arm == TorqueArm::overlap ? arm_shortened : 0) |
+                  (h.turn == SpringTurn::project ? turn_projects : 0);
   }
 
   std::vector<PairLaw<P>> laws() const {
@@ -84,8 +97,7 @@ class Imager {
     std::vector<PairLaw<P>> table(materials * materials);
     for (std::size_t a = 0; a < materials; ++a)
       for (std::size_t b = 0; b < materials; ++b)
-        if (scene_.contacts.has(a, b))
-          table[a * materials + b] = rounded(coefficients_of(scene_.contacts.at(a, b), scene_.run.step));
+        if (scene_.contacts.has(a, b)) table[a * materials + b] = rounded(coefficients_of(scene_, a, b));
     return table;
   }
 
@@ -96,6 +108,7 @@ class Imager {
     std::vector<RectangleOf<P>> rectangles;
     for (const auto& wall : near_.rectangles)
       rectangles.push_back({coordinates_.rectangle(wall.shape), {{wall.material, wall.index, 0, 0}}});
+    image_.walls = planes.size() + rectangles.size();
     image_.planes = bytes_of(planes);
     image_.rectangles = bytes_of(rectangles);
   }
@@ -117,11 +130,22 @@ class Imager {
       reaches[i] = coordinates_.reach(std::max(p.effect_diameter, p.diameter) / 2);
       drag_rates[i] = static_cast<Real>(3.0 * M_PI * viscosity * p.diameter / mass);
     }
+    add_spins();
     image_.positions = bytes_of(positions);
     image_.velocities = bytes_of(velocities);
     image_.materials = bytes_of(materials);
     image_.reaches = bytes_of(reaches);
     image_.drag_rates = bytes_of(drag_rates);
+  }
+
+  /// Zeros, inverse inertia included, where nothing turns.
+  void add_spins() {
+    std::vector<typename P::Real4> spins(scene_.rotation ? image_.padded : 0, four_of<P>(Vec3::Zero()));
+    for (std::size_t i = 0; i < image_.particles && scene_.rotation; ++i) {
+      const Particle& p = scene_.particles[i];
+      spins[i] = four_of<P>(p.angular_velocity, p.fixed ? 0.0 : 1.0 / inertia_of(p, scene_));
+    }
+    image_.spins = bytes_of(spins);
   }
 
   const Scene& scene_;

@@ -45,6 +45,8 @@ struct SceneImage {
   Bytes box, constants, laws, planes, rectangles;
   Bytes materials, reaches, drag_rates;
   Bytes positions, velocities;
+  Bytes spins;  ///< one entry without rotation
+  std::size_t walls = 0;
   std::size_t particles = 0;
   std::size_t padded = 0;
 };

@@ -33,6 +33,7 @@ SmallRun::Samples SmallRun::make_samples(std::span<const std::int64_t> steps) {
   s.steps_on_device = workshop_->upload(bytes_of(s.steps));
   s.positions = workshop_->room(entries * decoder_->position_bytes());
   s.velocities = workshop_->room(entries * decoder_->vector_bytes());
+  s.spins = workshop_->room((options_.rotation ? entries : 1) * decoder_->vector_bytes());
   return s;
 }
 
@@ -44,10 +45,11 @@ void SmallRun::take_steps(std::int64_t steps) {
     use_gravity_of_steps(first, last);
     // A launch from step 0 also takes the forces of step 0, so it must be the first one.
     const auto next = std::upper_bound(samples_->steps.begin(), samples_->steps.end(), first);
-    launch_in_world(
-        *workshop_, program_, "run_small", particles_, world_, static_cast<cl_int>(first),
-        static_cast<cl_int>(last), samples_->steps_on_device, static_cast<cl_int>(samples_->steps.size()),
-        static_cast<cl_int>(next - samples_->steps.begin()), samples_->positions, samples_->velocities);
+    launch_in_world(*workshop_, program_, "run_small", particles_, world_, static_cast<cl_int>(first),
+                    static_cast<cl_int>(last), samples_->steps_on_device,
+                    static_cast<cl_int>(samples_->steps.size()),
+                    static_cast<cl_int>(next - samples_->steps.begin()), samples_->positions,
+                    samples_->velocities, samples_->spins);
     first = last;
   } while (first < end);
 }
@@ -56,6 +58,16 @@ void SmallRun::settle() {
   std::array<cl_int, signal_count> signals{};
   workshop_->read(world_.signals, std::as_writable_bytes(std::span(signals)));
   check_signals(signals);
+}
+
+std::vector<ContactMemory> SmallRun::pair_memories() {
+  const std::size_t row = image_.padded;
+  Bytes springs(row * row * decoder_->vector_bytes());
+  workshop_->read(world_.springs, springs);
+  std::vector<ContactMemory> found;
+  for (std::size_t i = 0; i < image_.particles; ++i)
+    for (std::size_t j = 0; j < image_.particles; ++j) append_memory(found, i, j, springs, i * row + j);
+  return found;
 }
 
 void SmallRun::record(std::span<const std::int64_t> steps, std::vector<Frame>& frames) {
@@ -77,7 +89,9 @@ void SmallRun::record_some(std::span<const std::int64_t> steps, std::vector<Fram
   samples_ = &none_;
   const std::size_t entries = steps.size() * image_.padded;
   Bytes positions(entries * decoder_->position_bytes()), velocities(entries * decoder_->vector_bytes());
+  Bytes spins(scene_.rotation ? velocities.size() : 0);
   workshop_->read_later(samples.positions, positions);
+  if (scene_.rotation) workshop_->read_later(samples.spins, spins);
   workshop_->read(samples.velocities, velocities);
   const auto part = [&](const Bytes& all, std::size_t k) {
     const std::size_t size = all.size() / steps.size();
@@ -85,7 +99,7 @@ void SmallRun::record_some(std::span<const std::int64_t> steps, std::vector<Fram
   };
   const auto append_before = [&](std::int64_t end) {
     for (std::size_t k = 0; k < steps.size() && steps[k] < end; ++k)
-      frames.push_back(frame_of(steps[k], part(positions, k), part(velocities, k)));
+      frames.push_back(frame_of(steps[k], part(positions, k), part(velocities, k), part(spins, k)));
   };
   try {
     synchronise();

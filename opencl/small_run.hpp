@@ -24,12 +24,13 @@ class SmallRun : public DeviceRun {
  protected:
   void take_steps(std::int64_t steps) override;
   void settle() override;
+  std::vector<ContactMemory> pair_memories() override;
 
  private:
   /// Frames that the device writes down during the launches of one record().
   struct Samples {
     std::vector<cl_int> steps;
-    cl::Buffer steps_on_device, positions, velocities;
+    cl::Buffer steps_on_device, positions, velocities, spins;
   };
 
   Samples make_samples(std::span<const std::int64_t> steps);

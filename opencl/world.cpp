@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opencl/world.hpp"
 
+#include <algorithm>
+
 #include "opencl/bytes.hpp"
 
 namespace grainproof::opencl {
 
-World make_world(Workshop& workshop, const SceneImage& image, const Decoder& decoder, bool ledger) {
-  const std::size_t booked = ledger ? image.padded : 1;
+World make_world(Workshop& workshop, const SceneImage& image, const Decoder& decoder,
+                 const BuildOptions& options) {
+  const std::size_t turning = options.rotation ? image.padded : 1;
+  const std::size_t remembering = options.history ? image.padded : 1;
+  const std::size_t booked = options.ledger ? image.padded : 1;
   const auto vectors = [&](std::size_t count) { return Bytes(count * decoder.vector_bytes()); };
   World w;
   w.box = workshop.upload(image.box);
@@ -26,6 +31,14 @@ World make_world(Workshop& workshop, const SceneImage& image, const Decoder& dec
   w.reported = workshop.upload(image.velocities);
   w.tallies = workshop.upload(Bytes(booked * decoder.tally_bytes()));
   w.sums = workshop.upload(Bytes(booked * decoder.ledger_bytes()));
+  Bytes spins = image.spins;
+  spins.resize(vectors(turning).size());
+  w.spins = workshop.upload(spins);
+  w.spin_rests = workshop.upload(vectors(turning));
+  w.angular_accelerations = workshop.upload(vectors(turning));
+  w.reported_spins = workshop.upload(spins);
+  w.springs = workshop.upload(vectors(options.small ? remembering * remembering : 1));
+  w.wall_springs = workshop.upload(vectors(std::max<std::size_t>(remembering * image.walls, 1)));
   w.faults = workshop.upload(bytes_of(std::vector<cl_int4>(image.padded, cl_int4{{never, 0, 0, 0}})));
   w.signals = workshop.upload(bytes_of(std::vector<cl_int>{never, never, never, 0}));
   return w;

@@ -12,17 +12,21 @@ namespace grainproof::opencl {
 struct World {
   cl::Buffer box, constants, laws, planes, rectangles, materials, reaches, drag_rates, gravity_table;
   cl::Buffer positions, velocities, rests, accelerations, reported, tallies, sums, faults, signals;
+  cl::Buffer spins, spin_rests, angular_accelerations, reported_spins, springs, wall_springs;
   cl_int table_origin = 0;
 
   auto arguments() const {
     return std::tie(box, constants, laws, planes, rectangles, materials, reaches, drag_rates, gravity_table,
-                    positions, velocities, rests, accelerations, reported, tallies, sums, faults, signals,
+                    positions, velocities, rests, accelerations, reported, tallies, sums, spins, spin_rests,
+                    angular_accelerations, reported_spins, springs, wall_springs, faults, signals,
                     table_origin);
   }
 };
 
-/// Uploads a scene. Without a ledger its buffers hold one entry that nothing reads.
-World make_world(Workshop& workshop, const SceneImage& image, const Decoder& decoder, bool ledger);
+/// Uploads a scene. What the options leave out holds one entry that nothing reads. The springs of a list are
+/// the list's own.
+World make_world(Workshop& workshop, const SceneImage& image, const Decoder& decoder,
+                 const BuildOptions& options);
 
 /// Launches a kernel whose first parameters are the world.
 template <class... More>

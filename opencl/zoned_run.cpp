@@ -17,7 +17,7 @@ constexpr std::int64_t shortest_batch = 4;
 ZonedRun::ZonedRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const BuildOptions& options,
                    const ZoneGrid& grid, std::size_t work_group)
     : DeviceRun(std::move(workshop), scene, options, grid, work_group),
-      list_(*workshop_, program_, image_, *decoder_, grid, work_group) {}
+      list_(*workshop_, program_, image_, *decoder_, grid, work_group, options.history) {}
 
 void ZonedRun::take_steps(std::int64_t steps) {
   const std::int64_t target = done() + steps;
@@ -40,6 +40,7 @@ void ZonedRun::settle() {
 
 void ZonedRun::build_list(std::int64_t at_step) {
   list_.build(world_);
+  if (options_.history) world_.springs = list_.springs();
   ++counters_.list_rebuilds;
   counters_.listed_pairs = list_.entries() / 2;
   built_at_ = at_step;
@@ -72,6 +73,21 @@ void ZonedRun::catch_up() {
     build_list(stale);
     enqueue(stale + 1, enqueued_);
   }
+}
+
+std::vector<ContactMemory> ZonedRun::pair_memories() {
+  std::vector<ContactMemory> found;
+  const auto entries = static_cast<std::size_t>(list_.entries());
+  if (entries == 0) return found;
+  std::vector<cl_int> starts(image_.padded + 1), partners(entries);
+  Bytes springs(entries * decoder_->vector_bytes());
+  workshop_->read(list_.starts(), std::as_writable_bytes(std::span(starts)));
+  workshop_->read(list_.partners(), std::as_writable_bytes(std::span(partners)));
+  workshop_->read(list_.springs(), springs);
+  for (std::size_t i = 0; i < image_.particles; ++i)
+    for (auto k = static_cast<std::size_t>(starts[i]); k < static_cast<std::size_t>(starts[i + 1]); ++k)
+      append_memory(found, i, static_cast<std::size_t>(partners[k]), springs, k);
+  return found;
 }
 
 /// Up to where the list is expected to go stale, and a little beyond; a list that outlives that is trusted

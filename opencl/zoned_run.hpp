@@ -20,6 +20,7 @@ class ZonedRun : public DeviceRun {
  protected:
   void take_steps(std::int64_t steps) override;
   void settle() override;
+  std::vector<ContactMemory> pair_memories() override;
 
  private:
   void build_list(std::int64_t at_step);

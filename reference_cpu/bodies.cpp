@@ -30,6 +30,13 @@ void append(Bodies& bodies, const Particle& particle, double density, bool cohes
   bodies.id.push_back(particle.id);
 }
 
+// A sphere's inertia is 2/5 m r².
+void append_spin(Bodies& bodies, const Particle& particle) {
+  const Body& body = bodies.body.back();
+  bodies.spin.push_back({particle.angular_velocity, body.inverse_mass / (0.4 * body.radius * body.radius)});
+  bodies.angular_acceleration.push_back(Vec3::Zero());
+}
+
 }  // namespace
 
 bool has_cohesion(const Scene& scene) {
@@ -63,9 +70,19 @@ Bodies bodies_of(const Scene& scene) {
   for (const Particle& particle : scene.particles) {
     const double density = scene.materials[particle.material].density;
     append(bodies, particle, density, cohesion);
+    if (scene.rotation) append_spin(bodies, particle);
     if (flow) bodies.drag_rate.push_back(drag_rate(density, particle.diameter, viscosity_of(scene.flow)));
   }
   return bodies;
+}
+
+Motion motion_after(const Bodies& bodies, double pending) {
+  Motion motion{std::vector<Vec3>(bodies.size()), std::vector<Vec3>(bodies.spin.size())};
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    motion.velocity[i] = bodies.body[i].velocity + bodies.acceleration[i] * pending;
+  for (std::size_t i = 0; i < bodies.spin.size(); ++i)
+    motion.angular_velocity[i] = bodies.spin[i].angular_velocity + bodies.angular_acceleration[i] * pending;
+  return motion;
 }
 
 }  // namespace grainproof::reference

@@ -19,18 +19,41 @@ struct alignas(64) Body {
   bool fixed() const { return inverse_mass == 0.0; }
 };
 
-/// All particles, in id order. Every array has the same length.
+struct alignas(32) Spin {
+  Vec3 angular_velocity;   ///< rad/s
+  double inverse_inertia;  ///< 1/(kg m²); zero for a fixed particle
+};
+
+/// All particles, in id order. Every array has the same length, those of turning none without it.
 struct Bodies {
   std::vector<Body> body;
-  std::vector<Vec3> acceleration;  ///< m/s²; holds the force while contacts are being summed
-  std::vector<double> mass;        ///< kg, of fixed particles too
-  std::vector<double> reach;       ///< m; effect radius where the scene has cohesion, else radius
-  std::vector<double> drag_rate;   ///< 1/s, the inverse of the response time; empty without flow
+  std::vector<Spin> spin;
+  std::vector<Vec3> acceleration;          ///< m/s²; holds the force while contacts are being summed
+  std::vector<Vec3> angular_acceleration;  ///< rad/s²; the torque while contacts are being summed
+  std::vector<double> mass;                ///< kg, of fixed particles too
+  std::vector<double> reach;               ///< m; effect radius where the scene has cohesion, else radius
+  std::vector<double> drag_rate;           ///< 1/s, the inverse of the response time; empty without flow
   std::vector<std::int32_t> material;
   std::vector<std::int64_t> id;
 
   std::size_t size() const { return body.size(); }
+  bool turning() const { return !spin.empty(); }
 };
+
+/// Turns faster for `duration` (s); nothing where nothing turns.
+inline void kick_spins(Bodies& bodies, double duration) {
+  for (std::size_t i = 0; i < bodies.spin.size(); ++i)
+    bodies.spin[i].angular_velocity += bodies.angular_acceleration[i] * duration;
+}
+
+/// How all particles move; the second array is empty where nothing turns.
+struct Motion {
+  std::vector<Vec3> velocity;          ///< m/s
+  std::vector<Vec3> angular_velocity;  ///< rad/s
+};
+
+/// Once the present accelerations have acted for `pending` (s) more.
+Motion motion_after(const Bodies& bodies, double pending);
 
 Bodies bodies_of(const Scene& scene);
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "reference_cpu/laws/pair_laws.hpp"
@@ -10,9 +11,10 @@ namespace grainproof::reference {
 /// All that a law may know of touching bodies; n points from body 1 to body 2.
 struct ContactPoint {
   Vec3 normal;
-  double overlap;          ///< of the bodies, m; positive
-  Vec3 relative_velocity;  ///< of body 2 over body 1, m/s
-  double effective_mass;   ///< kg
+  double overlap;           ///< of the bodies, m; positive
+  Vec3 relative_velocity;   ///< of body 2 over body 1 where they touch, m/s
+  double effective_mass;    ///< kg
+  double effective_radius;  ///< m; used by Hertz contacts only
 };
 
 /// On body 2.
@@ -21,6 +23,7 @@ struct ContactForce {
   Vec3 friction;
 };
 
+/// Of linear springs and friction without memory.
 inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& point) {
   const double root_mass = std::sqrt(point.effective_mass);
   const double eta = laws.normal.damping_for(root_mass);
@@ -30,5 +33,18 @@ inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& poin
   const Vec3 slip = point.relative_velocity - separating * point.normal;
   return {normal, laws.friction.force(slip, normal, eta, root_mass)};
 }
+
+/// Of any laws. `displacement` is the tangential spring's and is brought up to date.
+ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, double elapsed,
+                           Vec3& displacement);
+
+/// What the springs of a contact push and hold.
+struct Stored {
+  double push;               ///< normal force of the overlap alone, N
+  double normal_energy;      ///< J
+  double tangential_energy;  ///< J
+};
+
+Stored stored_in(const PairLaws& laws, const ContactPoint& point, const Vec3& displacement);
 
 }  // namespace grainproof::reference

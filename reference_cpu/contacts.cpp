@@ -3,44 +3,16 @@
 #include "reference_cpu/contacts.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "reference_cpu/surfaces.hpp"
+#include "reference_cpu/touch.hpp"
 
 namespace grainproof::reference {
 namespace {
 
-/// Two surfaces near each other, body 2 seen from body 1.
-struct Encounter {
-  std::int32_t first;  ///< particle, or no_particle for a wall
-  std::int32_t second;
-  Vec3 normal;
-  double overlap;
-  double effect_overlap;
-};
-
-template <bool cohesive, class Log>
-Vec3 force_on_second(const PairLaws& laws, const Encounter& meet, const Vec3& relative_velocity,
-                     double effective_mass, Log& log) {
-  Vec3 force = Vec3::Zero();
-  if (meet.overlap > 0.0) {
-    const ContactPoint point{meet.normal, meet.overlap, relative_velocity, effective_mass};
-    const ContactForce contact = contact_force(laws, point);
-    force = contact.normal * meet.normal + contact.friction;
-    log.contact(meet.first, meet.second, laws, point, contact);
-  }
-  if constexpr (cohesive) {
-    if (laws.cohesion.stiffness > 0.0 && meet.effect_overlap > 0.0) {
-      force += laws.cohesion.force(meet.effect_overlap) * meet.normal;
-      log.attraction(laws, meet.effect_overlap);
-    }
-  }
-  return force;
-}
-
-template <bool periodic, bool cohesive, class Log>
+template <bool periodic, class Touch, class Log>
 void add_pair_forces(const ContactSetting& setting, const PairList& pairs, Bodies& bodies, Watch& watch,
-                     Log& log) {
+                     Touch touch, Log& log) {
   const auto count = static_cast<std::int32_t>(bodies.size());
   for (std::int32_t i = 0; i < count; ++i) {
     const Body& one = bodies.body[i];
@@ -51,7 +23,7 @@ void add_pair_forces(const ContactSetting& setting, const PairList& pairs, Bodie
       Vec3 apart = two.position - one.position;
       if constexpr (periodic) apart = setting.box.nearest_image(apart);
       const double touching = one.radius + two.radius;
-      const double range = cohesive ? bodies.reach[i] + bodies.reach[j] : touching;
+      const double range = Touch::cohesive ? bodies.reach[i] + bodies.reach[j] : touching;
       const double square = apart.squaredNorm();
       if (square >= range * range) continue;
       const double distance = std::sqrt(square);
@@ -60,8 +32,7 @@ void add_pair_forces(const ContactSetting& setting, const PairList& pairs, Bodie
         watch.report({Trouble::Kind::pair_too_deep, i, j, meet.overlap});
       const double effective_mass = 1.0 / (one.inverse_mass + two.inverse_mass);
       const PairLaws& laws = setting.laws.at(bodies.material[i], bodies.material[j]);
-      const Vec3 force =
-          force_on_second<cohesive>(laws, meet, two.velocity - one.velocity, effective_mass, log);
+      const Vec3 force = touch.force_on_second(laws, meet, two.velocity - one.velocity, effective_mass);
       log.pair_force(bodies, i, j, force);
       on_one -= force;
       bodies.acceleration[j] += force;
@@ -70,53 +41,61 @@ void add_pair_forces(const ContactSetting& setting, const PairList& pairs, Bodie
   }
 }
 
-template <bool cohesive, class Shape, class Log>
+template <class Shape, class Touch, class Log>
 void add_wall_force(const ContactSetting& setting, const Shape& shape, std::size_t wall, std::int32_t i,
-                    Bodies& bodies, Watch& watch, Log& log) {
+                    Bodies& bodies, Watch& watch, Touch& touch, Log& log) {
   const Body& body = bodies.body[i];
   const auto [normal, distance] = nearest(shape, body.position, setting.box);
-  const double range = cohesive ? bodies.reach[i] : body.radius;
+  const double range = Touch::cohesive ? bodies.reach[i] : body.radius;
   if (distance >= range) return;
-  const Encounter meet{no_particle, i, normal, body.radius - distance, range - distance};
+  const Encounter meet{wall_as_body(wall), i, normal, body.radius - distance, range - distance};
   if (meet.overlap > watch.overlap_limit() * body.radius) [[unlikely]]
     watch.report({Trouble::Kind::wall_too_deep, i, static_cast<std::int32_t>(wall), meet.overlap});
   const PairLaws& laws = setting.laws.at(setting.walls[wall].material, bodies.material[i]);
-  const Vec3 force = force_on_second<cohesive>(laws, meet, body.velocity, 1.0 / body.inverse_mass, log);
+  const Vec3 force = touch.force_on_second(laws, meet, body.velocity, 1.0 / body.inverse_mass);
   log.wall_force(wall, force);
   bodies.acceleration[i] += force;
 }
 
-template <bool cohesive, class Log>
+template <class Touch, class Log>
 void add_wall_forces(const ContactSetting& setting, const NearWalls& near, Bodies& bodies, Watch& watch,
-                     Log& log) {
+                     Touch touch, Log& log) {
   for (std::size_t wall = 0; wall < setting.walls.size(); ++wall)
     std::visit(
         [&](const auto& shape) {
           for (const std::int32_t i : near.near(wall))
-            add_wall_force<cohesive>(setting, shape, wall, i, bodies, watch, log);
+            add_wall_force(setting, shape, wall, i, bodies, watch, touch, log);
         },
         setting.walls[wall].shape);
 }
 
-template <bool periodic, bool cohesive>
-void add_forces(const ContactSetting& setting, const Neighbours& neighbours, Bodies& bodies, Watch& watch,
-                ForceLog* log) {
-  const auto add = [&](auto& used) {
-    add_pair_forces<periodic, cohesive>(setting, neighbours.pairs(), bodies, watch, used);
-    add_wall_forces<cohesive>(setting, neighbours.walls(), bodies, watch, used);
+template <class Log>
+void add_forces(const ContactSetting& setting, const Neighbours& neighbours, Bodies& bodies,
+                ContactHistory& history, Watch& watch, Log& log) {
+  const auto add = [&](auto touch) {
+    if (setting.box.any())
+      add_pair_forces<true>(setting, neighbours.pairs(), bodies, watch, touch, log);
+    else
+      add_pair_forces<false>(setting, neighbours.pairs(), bodies, watch, touch, log);
+    add_wall_forces(setting, neighbours.walls(), bodies, watch, touch, log);
   };
-  NoLog none;
-  log ? add(*log) : add(none);
+  if (bodies.turning())
+    add(AnyTouch<true, Log>(bodies, history, log));
+  else if (!setting.simple)
+    add(AnyTouch<false, Log>(bodies, history, log));
+  else if (setting.cohesion)
+    add(SimpleTouch<true, Log>(log));
+  else
+    add(SimpleTouch<false, Log>(log));
 }
 
 }  // namespace
 
 void add_contact_forces(const ContactSetting& setting, const Neighbours& neighbours, Bodies& bodies,
-                        Watch& watch, ForceLog* log) {
-  const auto add = setting.box.any()
-                       ? (setting.cohesion ? add_forces<true, true> : add_forces<true, false>)
-                       : (setting.cohesion ? add_forces<false, true> : add_forces<false, false>);
-  add(setting, neighbours, bodies, watch, log);
+                        ContactHistory& history, Watch& watch, ForceLog* log) {
+  NoLog none;
+  log ? add_forces(setting, neighbours, bodies, history, watch, *log)
+      : add_forces(setting, neighbours, bodies, history, watch, none);
 }
 
 }  // namespace grainproof::reference

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "reference_cpu/bodies.hpp"
+#include "reference_cpu/contact_history.hpp"
 #include "reference_cpu/force_log.hpp"
 #include "reference_cpu/neighbours/neighbours.hpp"
 #include "reference_cpu/watch.hpp"
@@ -16,11 +17,13 @@ struct ContactSetting {
   const PeriodicBox& box;
   std::span<const Wall> walls;
   bool cohesion;
+  bool simple;  ///< linear springs and friction without memory only
 };
 
 /// Adds the forces of all contacts to bodies.acceleration: for each particle those of its partners
-/// by rising id, then those of the walls by rising index. `log` may be null.
+/// by rising id, then those of the walls by rising index. Torques likewise to bodies.angular_acceleration,
+/// where bodies turn. `history` has been begun. `log` may be null.
 void add_contact_forces(const ContactSetting& setting, const Neighbours& neighbours, Bodies& bodies,
-                        Watch& watch, ForceLog* log);
+                        ContactHistory& history, Watch& watch, ForceLog* log);
 
 }  // namespace grainproof::reference

@@ -35,6 +35,7 @@ std::uint64_t digest_of(const State& state) {
   for (const std::int64_t id : state.ids) hash.add(static_cast<std::uint64_t>(id));
   for (const Vec3& position : state.position) hash.add(position);
   for (const Vec3& velocity : state.velocity) hash.add(velocity);
+  for (const Vec3& angular_velocity : state.angular_velocity) hash.add(angular_velocity);
   for (const ContactMemory& memory : state.contacts) {
     hash.add(static_cast<std::uint64_t>(memory.first));
     hash.add(static_cast<std::uint64_t>(memory.second));

@@ -18,6 +18,11 @@ void accelerate(const GravityField& gravity, Bodies& bodies) {
   }
 }
 
+void accelerate_spins(Bodies& bodies) {
+  for (std::size_t i = 0; i < bodies.spin.size(); ++i)
+    bodies.angular_acceleration[i] *= bodies.spin[i].inverse_inertia;
+}
+
 Vec3 drag_on(const Flow& flow, const Bodies& bodies, std::size_t i) {
   const Body& body = bodies.body[i];
   return drag_acceleration(bodies.drag_rate[i], fluid_velocity(flow, body.position), body.velocity);
@@ -49,6 +54,7 @@ void log_fields(const Scene& scene, const GravityField& gravity, bool with_drag,
 void add_fields(const Scene& scene, double time, bool with_drag, Bodies& bodies, ForceLog* log) {
   const GravityField gravity(scene.gravity, time);
   accelerate(gravity, bodies);
+  accelerate_spins(bodies);
   if (with_drag && !bodies.drag_rate.empty()) add_drag(scene.flow, bodies);
   if (log) log_fields(scene, gravity, with_drag, bodies, *log);
 }

@@ -7,7 +7,7 @@
 
 namespace grainproof::reference {
 
-/// Turns the summed contact forces into accelerations and adds gravity and, unless the integrator
+/// Turns the summed contact forces and torques into accelerations and adds gravity and, unless the integrator
 /// applies it by itself, drag. Fixed particles get none. `log` may be null.
 void add_fields(const Scene& scene, double time, bool with_drag, Bodies& bodies, ForceLog* log);
 

@@ -7,18 +7,19 @@
 namespace grainproof::reference {
 
 void ForceLog::clear() {
-  elastic = cohesive = 0.0;
+  elastic = tangential = cohesive = 0.0;
   support = Vec3::Zero();
   std::ranges::fill(wall_force_on_particles, Vec3::Zero());
   contacts.clear();
 }
 
 // A clamped normal force counts as spring and a dashpot that cancels it: the two add up to what acts.
-void ForceLog::contact(std::int32_t first, std::int32_t second, const PairLaws& laws,
-                       const ContactPoint& point, const ContactForce& force) {
-  const double spring = laws.normal.stiffness * point.overlap;
-  elastic += laws.normal.potential(point.overlap);
-  contacts.push_back({first, second, (force.normal - spring) * point.normal, force.friction});
+void ForceLog::contact(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                       const ContactPoint& point, const ContactForce& force, const Vec3& displacement) {
+  const Stored stored = stored_in(laws, point, displacement);
+  elastic += stored.normal_energy;
+  tangential += stored.tangential_energy;
+  contacts.push_back({meet, arms, (force.normal - stored.push) * point.normal, force.friction});
 }
 
 void ForceLog::attraction(const PairLaws& laws, double effect_overlap) {

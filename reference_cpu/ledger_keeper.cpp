@@ -2,45 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reference_cpu/ledger_keeper.hpp"
 
+#include <Eigen/Geometry>
+
 namespace grainproof::reference {
 namespace {
 
-std::vector<Vec3> velocities_after(const Bodies& bodies, double pending) {
-  std::vector<Vec3> velocities(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    velocities[i] = bodies.body[i].velocity + bodies.acceleration[i] * pending;
-  return velocities;
-}
-
-double kinetic_energy(const Bodies& bodies, const std::vector<Vec3>& velocities) {
+double kinetic_energy(const Bodies& bodies, const Motion& motion) {
   double sum = 0.0;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (!bodies.body[i].fixed()) sum += 0.5 * bodies.mass[i] * velocities[i].squaredNorm();
+    if (!bodies.body[i].fixed()) sum += 0.5 * bodies.mass[i] * motion.velocity[i].squaredNorm();
+  for (std::size_t i = 0; i < bodies.spin.size(); ++i)
+    if (!bodies.body[i].fixed())
+      sum += 0.5 / bodies.spin[i].inverse_inertia * motion.angular_velocity[i].squaredNorm();
   return sum;
 }
 
 }  // namespace
 
 void LedgerKeeper::before_kick(const Bodies& bodies) {
-  before_ = velocities_after(bodies, 0.0);
+  before_ = motion_after(bodies, 0.0);
 }
 
 void LedgerKeeper::after_kick(const Bodies& bodies, double duration) {
-  book(sums_, {bodies, before_, velocities_after(bodies, 0.0), duration});
+  book(sums_, {bodies, before_, motion_after(bodies, 0.0), duration});
 }
 
 Ledger LedgerKeeper::at(const Bodies& bodies, double pending) const {
   Sums sums = sums_;
-  const std::vector<Vec3> synchronised = velocities_after(bodies, pending);
-  book(sums, {bodies, velocities_after(bodies, 0.0), synchronised, pending});
+  const Motion synchronised = motion_after(bodies, pending);
+  book(sums, {bodies, motion_after(bodies, 0.0), synchronised, pending});
   Ledger ledger;
   ledger.kinetic = kinetic_energy(bodies, synchronised);
-  ledger.elastic = log_.elastic;
+  ledger.elastic = log_.elastic + log_.tangential;
   ledger.cohesive = log_.cohesive;
   ledger.gravity_work = sums.gravity_work.value();
   ledger.drag_work = sums.drag_work.value();
   ledger.dissipated_normal = sums.dissipated_normal.value();
-  ledger.dissipated_tangential = sums.dissipated_tangential.value();
+  ledger.dissipated_tangential = sums.taken_by_friction.value() - log_.tangential;
   ledger.support_impulse = sums.support.value();
   ledger.field_impulse = sums.field.value();
   for (const auto& wall : sums.walls) ledger.wall_impulses.push_back(wall.value());
@@ -57,11 +55,18 @@ void LedgerKeeper::book(Sums& sums, const Kick& kick) const {
 
 void LedgerKeeper::book_contacts(Sums& sums, const Kick& kick) const {
   for (const LoggedContact& contact : log_.contacts) {
-    Vec3 path = kick.path(contact.second);
-    if (contact.first != no_particle) path -= kick.path(contact.first);
+    Vec3 path = kick.path(contact.meet.second);
+    if (!contact.meet.with_wall()) path -= kick.path(contact.meet.first);
     sums.dissipated_normal.add(-contact.dashpot.dot(path));
-    sums.dissipated_tangential.add(-contact.friction.dot(path));
+    if (kick.bodies.turning()) path -= sweep(kick, contact).cross(contact.meet.normal);
+    sums.taken_by_friction.add(-contact.friction.dot(path));
   }
+}
+
+Vec3 LedgerKeeper::sweep(const Kick& kick, const LoggedContact& contact) {
+  Vec3 sum = contact.arms.second * kick.turn(contact.meet.second);
+  if (!contact.meet.with_wall()) sum += contact.arms.first * kick.turn(contact.meet.first);
+  return sum;
 }
 
 void LedgerKeeper::book_fields(Sums& sums, const Kick& kick) const {
@@ -72,7 +77,7 @@ void LedgerKeeper::book_fields(Sums& sums, const Kick& kick) const {
     sums.field.add(log_.gravity[i] * kick.duration);
     if (!drag) continue;
     const Vec3 impulse = drag_impulse(kick, i);
-    sums.drag_work.add(impulse.dot(0.5 * (kick.before[i] + kick.after[i])));
+    sums.drag_work.add(impulse.dot(0.5 * (kick.before.velocity[i] + kick.after.velocity[i])));
     sums.field.add(impulse);
   }
 }
@@ -81,7 +86,8 @@ void LedgerKeeper::book_fields(Sums& sums, const Kick& kick) const {
 Vec3 LedgerKeeper::drag_impulse(const Kick& kick, std::int32_t particle) const {
   if (log_.fluid.empty()) return log_.drag[particle] * kick.duration;
   const double steps_per_response = kick.duration * kick.bodies.drag_rate[particle];
-  return kick.bodies.mass[particle] * steps_per_response * (log_.fluid[particle] - kick.after[particle]);
+  return kick.bodies.mass[particle] * steps_per_response *
+         (log_.fluid[particle] - kick.after.velocity[particle]);
 }
 
 }  // namespace grainproof::reference

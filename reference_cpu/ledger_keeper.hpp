@@ -30,31 +30,37 @@ class LedgerKeeper {
   /// Velocities before and after the forces in the log have acted for `duration`.
   struct Kick {
     const Bodies& bodies;
-    const std::vector<Vec3>& before;
-    const std::vector<Vec3>& after;
+    const Motion& before;
+    const Motion& after;
     double duration;
 
-    Vec3 path(std::int32_t particle) const { return 0.5 * duration * (before[particle] + after[particle]); }
+    Vec3 path(std::int32_t particle) const {
+      return 0.5 * duration * (before.velocity[particle] + after.velocity[particle]);
+    }
+    Vec3 turn(std::int32_t particle) const {
+      return 0.5 * duration * (before.angular_velocity[particle] + after.angular_velocity[particle]);
+    }
   };
 
   /// Since the start.
   struct Sums {
     explicit Sums(std::size_t wall_count) : walls(wall_count, CompensatedSum<Vec3>(Vec3::Zero())) {}
 
-    CompensatedSum<double> gravity_work{0.0}, drag_work{0.0}, dissipated_normal{0.0},
-        dissipated_tangential{0.0};
+    CompensatedSum<double> gravity_work{0.0}, drag_work{0.0}, dissipated_normal{0.0}, taken_by_friction{0.0};
     CompensatedSum<Vec3> support{Vec3::Zero()}, field{Vec3::Zero()};
     std::vector<CompensatedSum<Vec3>> walls;
   };
 
   void book(Sums& sums, const Kick& kick) const;
   void book_contacts(Sums& sums, const Kick& kick) const;
+  /// Path by which turning alone carries the surfaces past each other, before the cross product with n.
+  static Vec3 sweep(const Kick& kick, const LoggedContact& contact);
   void book_fields(Sums& sums, const Kick& kick) const;
   Vec3 drag_impulse(const Kick& kick, std::int32_t particle) const;
 
   ForceLog log_;
   Sums sums_;
-  std::vector<Vec3> before_;
+  Motion before_;
 };
 
 }  // namespace grainproof::reference

@@ -27,13 +27,14 @@ ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger)
     : scene_(scene),
       scheme_(scheme_for(scene_.run.integrator)),
       box_(scene_.domain),
-      laws_(scene_.contacts, scene_.run.step),
+      laws_(scene_),
       cohesion_(has_cohesion(scene_)),
+      simple_(laws_.all_simple()),
       bodies_(inside_bodies(scene_, box_)),
       neighbours_(scene_, bodies_, box_),
       watch_(scene_.run.overlap_limit) {
   if (with_ledger) ledger_.emplace(scene_);
-  evaluate_forces();
+  evaluate_forces(0.0);
 }
 
 void ReferenceRun::advance(std::int64_t steps) {
@@ -59,7 +60,7 @@ void ReferenceRun::take_step() {
   confine();
   raise_trouble();
   neighbours_.update(bodies_);
-  evaluate_forces();
+  evaluate_forces(step);
   if (scheme_.settle) kick([&] { return scheme_.settle(bodies_, step); });
   raise_trouble();
 }
@@ -75,18 +76,25 @@ void ReferenceRun::confine() {
   }
 }
 
-void ReferenceRun::evaluate_forces() {
+void ReferenceRun::evaluate_forces(double elapsed) {
   ForceLog* log = ledger_ ? &ledger_->log() : nullptr;
   if (log) log->clear();
   std::ranges::fill(bodies_.acceleration, Vec3::Zero());
-  add_contact_forces({laws_, box_, scene_.walls, cohesion_}, neighbours_, bodies_, watch_, log);
+  std::ranges::fill(bodies_.angular_acceleration, Vec3::Zero());
+  history_.begin(elapsed);
+  add_contact_forces({laws_, box_, scene_.walls, cohesion_, simple_}, neighbours_, bodies_, history_, watch_,
+                     log);
   add_fields(scene_, time(), !scheme_.applies_drag, bodies_, log);
 }
 
 void ReferenceRun::check_velocities() {
+  const auto report = [&](std::size_t i) {
+    watch_.report({Trouble::Kind::not_finite, static_cast<std::int32_t>(i)});
+  };
   for (std::size_t i = 0; i < bodies_.size(); ++i)
-    if (!bodies_.body[i].velocity.allFinite())
-      watch_.report({Trouble::Kind::not_finite, static_cast<std::int32_t>(i)});
+    if (!bodies_.body[i].velocity.allFinite()) report(i);
+  for (std::size_t i = 0; i < bodies_.spin.size(); ++i)
+    if (!bodies_.spin[i].angular_velocity.allFinite()) report(i);
   raise_trouble();
 }
 
@@ -99,12 +107,10 @@ Frame ReferenceRun::frame() {
   frame.step = step_;
   frame.time = time();
   const double pending = velocity_lag() * scene_.run.step;
-  frame.position.reserve(bodies_.size());
-  frame.velocity.reserve(bodies_.size());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    frame.position.push_back(bodies_.body[i].position);
-    frame.velocity.push_back(bodies_.body[i].velocity + bodies_.acceleration[i] * pending);
-  }
+  for (const Body& body : bodies_.body) frame.position.push_back(body.position);
+  Motion synchronised = motion_after(bodies_, pending);
+  frame.velocity = std::move(synchronised.velocity);
+  frame.angular_velocity = std::move(synchronised.angular_velocity);
   return frame;
 }
 
@@ -114,13 +120,20 @@ State ReferenceRun::state() {
   state.time = time();
   state.ids = bodies_.id;
   state.velocity_lag = velocity_lag();
-  state.position.reserve(bodies_.size());
-  state.velocity.reserve(bodies_.size());
   for (const Body& body : bodies_.body) {
     state.position.push_back(body.position);
     state.velocity.push_back(body.velocity);
   }
+  for (const Spin& spin : bodies_.spin) state.angular_velocity.push_back(spin.angular_velocity);
+  for (const auto& memory : history_.memories()) state.contacts.push_back(by_id(memory));
   return state;
+}
+
+ContactMemory ReferenceRun::by_id(const ContactHistory::Memory& memory) const {
+  const std::int64_t second = bodies_.id[memory.second];
+  const auto particles = static_cast<std::int32_t>(bodies_.size());
+  if (memory.first >= particles) return {second, particles - 1 - memory.first, 0, memory.displacement};
+  return {bodies_.id[memory.first], second, 0, memory.displacement};
 }
 
 std::uint64_t ReferenceRun::digest() {

@@ -29,9 +29,11 @@ class ReferenceRun : public Run {
   template <class Kick>
   void kick(Kick apply);
   void confine();
-  void evaluate_forces();
+  /// Contacts that already were have lasted `elapsed` (s) longer than at the evaluation before.
+  void evaluate_forces(double elapsed);
   void check_velocities();
   void raise_trouble() const;
+  ContactMemory by_id(const ContactHistory::Memory& memory) const;
   double time() const { return static_cast<double>(step_) * scene_.run.step; }
   /// By how many steps the held velocities are behind; none before the first step.
   double velocity_lag() const { return step_ == 0 ? 0.0 : scheme_.velocity_lag; }
@@ -41,8 +43,10 @@ class ReferenceRun : public Run {
   const PeriodicBox box_;
   const LawTable laws_;
   const bool cohesion_;
+  const bool simple_;
   Bodies bodies_;
   Neighbours neighbours_;
+  ContactHistory history_;
   Watch watch_;
   std::optional<LedgerKeeper> ledger_;
   std::int64_t step_ = 0;

@@ -54,7 +54,7 @@ Support walls_fit_periods(const Scene& scene) {
 
 Support fixed_particles_rest(const Scene& scene) {
   for (const Particle& particle : scene.particles)
-    if (particle.fixed && particle.velocity != Vec3::Zero())
+    if (particle.fixed && (particle.velocity != Vec3::Zero() || particle.angular_velocity != Vec3::Zero()))
       return Support::no("the fixed particle " + std::to_string(particle.id) + " has a velocity");
   return {};
 }
@@ -100,11 +100,50 @@ Support restitutions_are_reachable(const Scene& scene) {
   for (std::size_t a = 0; a < materials; ++a)
     for (std::size_t b = a; b < materials; ++b) {
       if (!scene.contacts.has(a, b)) continue;
-      const auto& law = std::get<LinearNormal>(scene.contacts.at(a, b).normal);
-      const auto* restitution = std::get_if<Restitution>(&law.dissipation);
-      if (law.no_tension && restitution && restitution->value == 0.0)
+      const auto* law = std::get_if<LinearNormal>(&scene.contacts.at(a, b).normal);
+      if (!law || !law->no_tension) continue;
+      const auto* restitution = std::get_if<Restitution>(&law->dissipation);
+      if (restitution && restitution->value == 0.0)
         return Support::no("a contact that never pulls cannot rebound with restitution 0");
     }
+  return {};
+}
+
+Support turning_is_asked_for(const Scene& scene) {
+  if (scene.rotation) return {};
+  for (const Particle& particle : scene.particles)
+    if (particle.angular_velocity != Vec3::Zero())
+      return Support::no("particle " + std::to_string(particle.id) +
+                         " has an angular velocity in a scene without rotation");
+  return {};
+}
+
+/// What a spring is to be made of must be there.
+Support springs_are_given(const Scene& scene, std::size_t a, std::size_t b) {
+  const ContactLaws& laws = scene.contacts.at(a, b);
+  const bool hertz = std::holds_alternative<HertzNormal>(laws.normal);
+  const auto* history = std::get_if<HistoryFriction>(&laws.friction);
+  if (!hertz && history && !(history->stiffness > 0.0))
+    return Support::no("friction with history on a linear contact needs a tangential stiffness above zero");
+  if (!hertz) return {};
+  for (const std::size_t material : {a, b})
+    if (!scene.materials[material].elasticity)
+      return Support::no("a Hertz contact needs the elasticity of '" + scene.materials[material].name + "'");
+  const auto* restitution = std::get_if<Restitution>(&std::get<HertzNormal>(laws.normal).dissipation);
+  if (!restitution || restitution->value == 0.0)
+    return Support::no("a Hertz contact takes its damping from a restitution only, and one above 0");
+  if (std::holds_alternative<CollisionTimeFriction>(laws.friction) ||
+      std::holds_alternative<DampedFriction>(laws.friction))
+    return Support::no("this friction needs the contact time of a linear spring, which Hertz contacts lack");
+  return {};
+}
+
+Support all_springs_are_given(const Scene& scene) {
+  const std::size_t materials = scene.contacts.materials();
+  for (std::size_t a = 0; a < materials; ++a)
+    for (std::size_t b = a; b < materials; ++b)
+      if (scene.contacts.has(a, b))
+        if (const Support support = springs_are_given(scene, a, b); !support) return support;
   return {};
 }
 
@@ -112,7 +151,7 @@ Support restitutions_are_reachable(const Scene& scene) {
 
 Support supported(const Scene& scene) {
   for (const auto& check : {laws_are_given, periods_hold_two_ranges, walls_fit_periods, fixed_particles_rest,
-                            restitutions_are_reachable})
+                            turning_is_asked_for, all_springs_are_given, restitutions_are_reachable})
     if (const Support support = check(scene); !support) return support;
   return {};
 }

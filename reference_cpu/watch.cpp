@@ -21,8 +21,15 @@ struct Meeting {
   double contact_time;
 };
 
-double contact_time(const Scene& scene, std::int32_t a, std::int32_t b, double effective_mass) {
-  return resolve(scene.contacts.at(a, b), scene.run.step).normal.contact_time(effective_mass);
+struct Reduced {
+  double mass;
+  double radius;
+};
+
+double contact_time(const Scene& scene, std::int32_t a, std::int32_t b, const Reduced& pair, double overlap) {
+  const PairLaws laws = resolve(scene, a, b);
+  return laws.hertz.present() ? laws.hertz.contact_time(std::sqrt(pair.radius * overlap), pair.mass)
+                              : laws.normal.contact_time(pair.mass);
 }
 
 Meeting meeting(const Trouble& trouble, const Scene& scene) {
@@ -33,13 +40,16 @@ Meeting meeting(const Trouble& trouble, const Scene& scene) {
   if (trouble.kind == Trouble::Kind::wall_too_deep) {
     const Wall& wall = scene.walls[trouble.partner];
     who << "particle " << bodies.id[trouble.particle] << " overlaps the wall '" << wall.name << "'";
-    return {who.str(), one.radius, contact_time(scene, wall.material, material, 1.0 / one.inverse_mass)};
+    return {
+        who.str(), one.radius,
+        contact_time(scene, wall.material, material, {1.0 / one.inverse_mass, one.radius}, trouble.overlap)};
   }
   const Body& two = bodies.body[trouble.partner];
   who << "particles " << bodies.id[trouble.particle] << " and " << bodies.id[trouble.partner] << " overlap";
-  const double effective_mass = 1.0 / (one.inverse_mass + two.inverse_mass);
+  const Reduced pair{1.0 / (one.inverse_mass + two.inverse_mass),
+                     one.radius * two.radius / (one.radius + two.radius)};
   return {who.str(), std::min(one.radius, two.radius),
-          contact_time(scene, material, bodies.material[trouble.partner], effective_mass)};
+          contact_time(scene, material, bodies.material[trouble.partner], pair, trouble.overlap)};
 }
 
 std::string likely_reason(double step, double contact_time) {

@@ -37,10 +37,15 @@ std::string point_data(const Scene& scene, const Frame& frame) {
     ids += std::to_string(particle.id) + "\n";
     diameters += exact(particle.diameter) + "\n";
   }
+  const std::string spins =
+      frame.angular_velocity.empty()
+          ? ""
+          : array_text(R"(type="Float64" Name="angular_velocity" NumberOfComponents="3")",
+                       vectors_text(frame.angular_velocity));
   return "<PointData Vectors=\"velocity\" Scalars=\"diameter\">\n" +
          array_text(R"(type="Float64" Name="velocity" NumberOfComponents="3")",
                     vectors_text(frame.velocity)) +
-         array_text(R"(type="Int64" Name="id")", ids) +
+         spins + array_text(R"(type="Int64" Name="id")", ids) +
          array_text(R"(type="Float64" Name="diameter")", diameters) + "</PointData>\n";
 }
 
@@ -78,9 +83,13 @@ std::string pvd_text(const std::vector<double>& times) {
 
 std::string csv_text(const Scene& scene, const Frame& frame) {
   std::string text;
-  for (std::size_t i = 0; i < frame.position.size(); ++i)
+  for (std::size_t i = 0; i < frame.position.size(); ++i) {
     text += exact(frame.time) + "," + std::to_string(scene.particles[i].id) + "," +
-            vector_text(frame.position[i], ',') + "," + vector_text(frame.velocity[i], ',') + "\n";
+            vector_text(frame.position[i], ',') + "," + vector_text(frame.velocity[i], ',');
+    if (!frame.angular_velocity.empty())
+      text.append(1, ',').append(vector_text(frame.angular_velocity[i], ','));
+    text += "\n";
+  }
   return text;
 }
 
@@ -89,7 +98,7 @@ FrameWriter::FrameWriter(std::filesystem::path folder, const Scene& scene, bool 
   std::filesystem::create_directories(folder_);
   if (!csv) return;
   csv_.open(folder_ / "frames.csv");
-  csv_ << csv_header;
+  csv_ << csv_header(scene);
 }
 
 void FrameWriter::write(const Frame& frame) {

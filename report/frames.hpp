@@ -28,13 +28,15 @@ class FrameWriter {
   std::vector<double> times_;
 };
 
-/// VTK XML PolyData: points, velocity, id and diameter.
+/// VTK XML PolyData: points, velocity, angular velocity where there is one, id and diameter.
 std::string vtp_text(const Scene& scene, const Frame& frame);
 
 /// ParaView collection: file names relative to itself, with their times.
 std::string pvd_text(const std::vector<double>& times);
 
-inline constexpr const char* csv_header = "time,id,x,y,z,vx,vy,vz\n";
+inline const char* csv_header(const Scene& scene) {
+  return scene.rotation ? "time,id,x,y,z,vx,vy,vz,wx,wy,wz\n" : "time,id,x,y,z,vx,vy,vz\n";
+}
 
 /// A line a particle, in full precision; no header.
 std::string csv_text(const Scene& scene, const Frame& frame);

@@ -24,27 +24,35 @@ double length_between(const Domain& domain, Vec3 apart) {
   return apart.norm();
 }
 
-double largest_speed(const Observations& seen) {
+double largest_speed(const Scene& scene, const Observations& seen) {
   double largest = 0.0;
-  for (const Frame& frame : seen.frames)
+  for (const Frame& frame : seen.frames) {
     for (const Vec3& velocity : frame.velocity) largest = std::max(largest, velocity.norm());
+    for (std::size_t i = 0; i < frame.angular_velocity.size(); ++i)
+      largest = std::max(largest, 0.5 * scene.particles[i].diameter * frame.angular_velocity[i].norm());
+  }
   return largest;
 }
 
 Scale scale_of(const Scene& scene, const Observations& first, const Observations& second) {
   Scale scale;
   for (const Particle& particle : scene.particles) scale.length = std::max(scale.length, particle.diameter);
-  scale.speed = std::max(largest_speed(first), largest_speed(second));
+  scale.speed = std::max(largest_speed(scene, first), largest_speed(scene, second));
   return scale;
 }
 
 FrameDifference between(const Scene& scene, const Scale& scale, const Frame& first, const Frame& second) {
-  FrameDifference apart{first.time, 0.0, 0.0};
+  FrameDifference apart{first.time, 0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < std::min(first.position.size(), second.position.size()); ++i) {
     apart.position = larger(
         length_between(scene.domain, second.position[i] - first.position[i]) / scale.length, apart.position);
     const double speed = (second.velocity[i] - first.velocity[i]).norm();
     apart.velocity = larger(speed == 0.0 ? 0.0 : speed / scale.speed, apart.velocity);
+  }
+  for (std::size_t i = 0; i < std::min(first.angular_velocity.size(), second.angular_velocity.size()); ++i) {
+    const double speed =
+        0.5 * scene.particles[i].diameter * (second.angular_velocity[i] - first.angular_velocity[i]).norm();
+    apart.spin = larger(speed == 0.0 ? 0.0 : speed / scale.speed, apart.spin);
   }
   return apart;
 }
@@ -54,6 +62,7 @@ FrameDifference largest_of(const std::vector<FrameDifference>& frames) {
   for (const FrameDifference& frame : frames) {
     largest.position = larger(frame.position, largest.position);
     largest.velocity = larger(frame.velocity, largest.velocity);
+    largest.spin = larger(frame.spin, largest.spin);
   }
   return largest;
 }
@@ -68,13 +77,14 @@ std::vector<std::size_t> shown_frames(std::size_t count) {
 std::string frames_text(const Difference& apart, const Paint& paint) {
   TextTable table({{"time / s", Align::right},
                    {"position / diameter", Align::right},
-                   {"velocity / largest speed", Align::right}});
+                   {"velocity / largest speed", Align::right},
+                   {"radius × spin / largest speed", Align::right}});
   for (std::size_t i : shown_frames(apart.frames.size())) {
     const FrameDifference& frame = apart.frames[i];
-    table.add({brief(frame.time), brief(frame.position), brief(frame.velocity)});
+    table.add({brief(frame.time), brief(frame.position), brief(frame.velocity), brief(frame.spin)});
   }
   const FrameDifference largest = largest_of(apart.frames);
-  table.add({"largest", brief(largest.position), brief(largest.velocity)});
+  table.add({"largest", brief(largest.position), brief(largest.velocity), brief(largest.spin)});
   return table.text(paint, "  ");
 }
 
@@ -126,7 +136,10 @@ std::string difference_text(const std::vector<Difference>& differences, const Pa
 nlohmann::json difference_json(const Difference& apart) {
   nlohmann::json frames = nlohmann::json::array();
   for (const FrameDifference& frame : apart.frames)
-    frames.push_back({{"time", frame.time}, {"position", frame.position}, {"velocity", frame.velocity}});
+    frames.push_back({{"time", frame.time},
+                      {"position", frame.position},
+                      {"velocity", frame.velocity},
+                      {"spin", frame.spin}});
   nlohmann::json scalars = nlohmann::json::object();
   for (const auto& [name, values] : apart.scalars) scalars[name] = {values.first, values.second};
   return {{"first", apart.first},

@@ -24,9 +24,11 @@ struct FrameDifference {
   double time = 0.0;      ///< s
   double position = 0.0;  ///< over Scale::length
   double velocity = 0.0;  ///< over Scale::speed
+  double spin = 0.0;      ///< radius times difference, over Scale::speed; 0 without rotation
 };
 
-/// The scene's own scale: its largest diameter and the largest speed that either engine saw.
+/// The scene's own scale: its largest diameter and the largest speed of a centre or, with rotation, of
+/// a turning surface that either engine saw.
 struct Scale {
   double length = 0.0;  ///< m
   double speed = 0.0;   ///< m/s

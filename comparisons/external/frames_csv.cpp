@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparisons/external/frames_csv.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -16,8 +17,9 @@
 namespace grainproof::external {
 namespace {
 
-constexpr const char* columns = "time,id,x,y,z,vx,vy,vz";
-constexpr std::size_t column_count = 8;
+constexpr const char* columns_without_rotation = "time,id,x,y,z,vx,vy,vz";
+constexpr const char* columns_with_rotation = "time,id,x,y,z,vx,vy,vz,wx,wy,wz";
+constexpr std::size_t most_columns = 11;
 constexpr double same_time = 1e-6;  // of a step; a time printed in decimals need not be the very number
 
 [[noreturn]] void complain(const std::string& what) {
@@ -29,15 +31,22 @@ std::string without_return(std::string line) {
   return line;
 }
 
-std::array<double, column_count> numbers_of(const std::string& line, int number) {
-  std::array<double, column_count> values{};
+using Row = std::array<double, most_columns>;
+
+const char* columns_of(const Scene& scene) {
+  return scene.rotation ? columns_with_rotation : columns_without_rotation;
+}
+
+Row numbers_of(const std::string& line, int number, const Scene& scene) {
+  const std::size_t count = scene.rotation ? most_columns : most_columns - 3;
+  Row values{};
   const char* at = line.c_str();
-  for (std::size_t column = 0; column < column_count; ++column) {
+  for (std::size_t column = 0; column < count; ++column) {
     char* end = nullptr;
     values[column] = std::strtod(at, &end);
-    const char expected = column + 1 < column_count ? ',' : '\0';
+    const char expected = column + 1 < count ? ',' : '\0';
     if (end == at || *end != expected)
-      complain("line " + std::to_string(number) + ": expected " + columns + ", found " + line);
+      complain("line " + std::to_string(number) + ": expected " + columns_of(scene) + ", found " + line);
     at = end + 1;
   }
   return values;
@@ -51,7 +60,7 @@ class Collector {
     for (const std::int64_t step : steps) frames_[step];
   }
 
-  void add(const std::array<double, column_count>& row, int line) {
+  void add(const Row& row, int line) {
     const double steps = row[0] / scene_.run.step;
     const auto wanted = frames_.find(std::isfinite(steps) ? std::llround(steps) : -1);
     if (wanted == frames_.end() || std::abs(steps - std::round(steps)) > same_time) return;
@@ -69,7 +78,9 @@ class Collector {
       for (const auto& [particle, row] : rows) {
         frame.position.push_back(folded(Vec3(row[2], row[3], row[4]), scene_.domain));
         frame.velocity.emplace_back(row[5], row[6], row[7]);
-        if (frame.position.back().allFinite() && frame.velocity.back().allFinite()) continue;
+        if (scene_.rotation) frame.angular_velocity.emplace_back(row[8], row[9], row[10]);
+        if (std::all_of(row.begin(), row.end(), [](double number) { return std::isfinite(number); }))
+          continue;
         const std::int64_t id = scene_.particles[particle].id;
         seen.outcome = {Outcome::Status::went_wrong,
                         "particle " + std::to_string(id) + " has a number that is not finite",
@@ -98,7 +109,7 @@ class Collector {
 
   const Scene& scene_;
   std::map<std::int64_t, std::size_t> index_;
-  std::map<std::int64_t, std::map<std::size_t, std::array<double, column_count>>> frames_;
+  std::map<std::int64_t, std::map<std::size_t, Row>> frames_;
 };
 
 }  // namespace
@@ -109,12 +120,12 @@ Observations read_frames(const std::filesystem::path& file, const Scene& scene,
   if (!in) complain("the command did not write it");
   std::string line;
   std::getline(in, line);
-  if (without_return(line) != columns)
-    complain("expected the columns " + std::string(columns) + ", found " + line);
+  if (without_return(line) != columns_of(scene))
+    complain("expected the columns " + std::string(columns_of(scene)) + ", found " + line);
   Collector frames(scene, steps);
   for (int number = 2; std::getline(in, line); ++number)
     if (const std::string row = without_return(line); !row.empty())
-      frames.add(numbers_of(row, number), number);
+      frames.add(numbers_of(row, number, scene), number);
   return frames.observations();
 }
 

@@ -10,7 +10,7 @@
 
 namespace grainproof::external {
 
-/// Reads frames.csv, `time,id,x,y,z,vx,vy,vz`, rows in any order, and takes the frames at `steps`;
+/// Reads frames.csv, `time,id,x,y,z,vx,vy,vz` and with rotation `,wx,wy,wz`, rows in any order, and takes the frames at `steps`;
 /// others are ignored. A number that is not finite ends the frames and is the outcome. Throws
 /// EngineFailed, with the line, for a missing file, other columns, an unknown or doubled particle, and
 /// for a frame that is missing or lacks a particle.

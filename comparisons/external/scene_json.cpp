@@ -34,16 +34,34 @@ json domain(const Domain& box) {
   return {{"lower", vector(box.lower)}, {"upper", vector(box.upper)}, {"boundary", boundary}};
 }
 
+json with_dissipation(json law, const Dissipation& dissipation) {
+  std::visit(Overloaded{[&](const Restitution& given) { law["restitution"] = given.value; },
+                        [&](const Damping& given) { law["damping"] = given.value; }},
+             dissipation);
+  return law;
+}
+
 json normal(const NormalLaw& law) {
-  return std::visit(
-      Overloaded{[](const LinearNormal& linear) {
-        json out{{"law", "linear"}, {"stiffness", linear.stiffness}, {"no_tension", linear.no_tension}};
-        std::visit(Overloaded{[&](const Restitution& given) { out["restitution"] = given.value; },
-                              [&](const Damping& given) { out["damping"] = given.value; }},
-                   linear.dissipation);
-        return out;
-      }},
-      law);
+  return std::visit(Overloaded{[](const LinearNormal& linear) {
+                                 return with_dissipation({{"law", "linear"},
+                                                          {"stiffness", linear.stiffness},
+                                                          {"no_tension", linear.no_tension}},
+                                                         linear.dissipation);
+                               },
+                               [](const HertzNormal& hertz) {
+                                 return with_dissipation({{"law", "hertz"}}, hertz.dissipation);
+                               }},
+                    law);
+}
+
+json history(const HistoryFriction& law) {
+  return {{"law", "history"},
+          {"coefficient", law.coefficient},
+          {"stiffness", law.stiffness},
+          {"damping_ratio", law.damping_ratio},
+          {"limit", law.limit == CoulombLimit::spring ? "spring" : "spring_and_dashpot"},
+          {"arm", law.arm == TorqueArm::radius ? "radius" : "overlap"},
+          {"turn", law.turn == SpringTurn::project ? "project" : "project_and_rescale"}};
 }
 
 json friction(const FrictionLaw& law) {
@@ -57,7 +75,8 @@ json friction(const FrictionLaw& law) {
                  },
                  [&](const StepFriction& given) { return with_spring("step", given); },
                  [&](const CollisionTimeFriction& given) { return with_spring("collision_time", given); },
-                 [&](const DampedFriction& given) { return with_spring("damped", given); }},
+                 [&](const DampedFriction& given) { return with_spring("damped", given); },
+                 [](const HistoryFriction& given) { return history(given); }},
       law);
 }
 
@@ -83,6 +102,17 @@ json contacts(const ContactTable& table) {
   return out;
 }
 
+json materials(const std::vector<Material>& all) {
+  json out = json::array();
+  for (const Material& material : all) {
+    json& entry = out.emplace_back(json{{"name", material.name}, {"density", material.density}});
+    if (!material.elasticity) continue;
+    entry["youngs_modulus"] = material.elasticity->youngs_modulus;
+    entry["poisson_ratio"] = material.elasticity->poisson_ratio;
+  }
+  return out;
+}
+
 json particles(const std::vector<Particle>& all) {
   json out = json::array();
   for (const Particle& p : all)
@@ -92,7 +122,8 @@ json particles(const std::vector<Particle>& all) {
                    {"diameter", p.diameter},
                    {"effect_diameter", p.effect_diameter},
                    {"position", vector(p.position)},
-                   {"velocity", vector(p.velocity)}});
+                   {"velocity", vector(p.velocity)},
+                   {"angular_velocity", vector(p.angular_velocity)}});
   return out;
 }
 
@@ -146,14 +177,12 @@ json flow(const Flow& field) {
 }  // namespace
 
 json scene_json(const Scene& scene, const Request& request) {
-  json materials = json::array();
-  for (const Material& material : scene.materials)
-    materials.push_back({{"name", material.name}, {"density", material.density}});
   return {{"schema", 1},
           {"title", scene.title},
           {"run", run(scene, request)},
           {"domain", domain(scene.domain)},
-          {"materials", materials},
+          {"rotation", scene.rotation},
+          {"materials", materials(scene.materials)},
           {"contacts", contacts(scene.contacts)},
           {"particles", particles(scene.particles)},
           {"walls", walls(scene.walls)},

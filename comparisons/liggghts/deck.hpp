@@ -9,13 +9,8 @@
 namespace grainproof::liggghts {
 
 /// Writes the data file and the list of sample steps of one scene into `folder`, and returns the
-/// commands that run it and write `dump_name(number)`. Several such texts in a row make one input.
+/// commands that run it and write peers::dump_name(number). Several such texts in a row make one input.
 std::string scene_deck(const Scene& scene, const Request& request, const std::filesystem::path& folder,
                        int number);
-
-std::string dump_name(int number);
-
-/// What the deck prints into the log when a scene is through.
-std::string done_marker(int number);
 
 }  // namespace grainproof::liggghts

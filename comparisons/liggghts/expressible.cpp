@@ -5,100 +5,76 @@
 #include <string>
 #include <variant>
 
-#include "comparisons/liggghts/atom_types.hpp"
+#include "comparisons/liggghts/models.hpp"
+#include "comparisons/peers/atom_types.hpp"
+#include "comparisons/peers/expressible.hpp"
 
 namespace grainproof::liggghts {
 namespace {
 
-constexpr std::size_t most_types = 32;  // parameters are a table over pairs of types
+constexpr peers::HistoryVariant own{CoulombLimit::spring, TorqueArm::overlap, SpringTurn::project};
+constexpr double least_restitution = 0.05;  // LIGGGHTS refuses others
 
-Support integrator_support(Integrator integrator) {
-  const bool same = integrator == Integrator::velocity_verlet || integrator == Integrator::leapfrog_verlet;
-  return same
-             ? Support{}
-             : Support::no("LIGGGHTS integrates by velocity Verlet, not " + std::string(name_of(integrator)));
+Support hertz_support(const Scene& scene, const HertzNormal& law) {
+  const auto* given = std::get_if<Restitution>(&law.dissipation);
+  if (!given) return Support::no("LIGGGHTS' hertz has its dashpot from a restitution");
+  if (given->value < least_restitution)
+    return Support::no("LIGGGHTS' hertz refuses a restitution below 0.05");
+  for (const Material& material : scene.materials)
+    if (material.elasticity &&
+        (material.elasticity->poisson_ratio < 0.0 || material.elasticity->poisson_ratio >= 0.5))
+      return Support::no("LIGGGHTS refuses a Poisson ratio outside [0, 0.5)");
+  return {};
 }
 
-Support gravity_support(const Gravity& gravity) {
-  return std::visit(
-      Overloaded{
-          [](const ConstantGravity&) { return Support{}; },
-          [](const RotatingGravity&) { return Support::no("LIGGGHTS has no gravity that rotates with t²"); },
-          [](const CentralGravity&) { return Support::no("LIGGGHTS has no gravity towards a point"); }},
-      gravity);
-}
-
-Support flow_support(const Flow& flow) {
-  return std::visit(
-      Overloaded{[](const NoFlow&) { return Support{}; }, [](const UniformFlow&) { return Support{}; },
-                 [](const TaylorGreenFlow&) { return Support::no("LIGGGHTS has no Taylor-Green flow"); }},
-      flow);
-}
-
-Support contact_support(const Scene& scene) {
-  const std::size_t count = scene.contacts.materials();
-  bool tension = false;
-  bool no_tension = false;
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b <= a; ++b) {
-      if (!scene.contacts.has(a, b)) continue;
-      const ContactLaws& laws = scene.contacts.at(a, b);
-      if (std::holds_alternative<LinearCohesion>(laws.cohesion))
-        return Support::no("LIGGGHTS has no linear cohesion that reaches beyond the bodies");
-      (std::get<LinearNormal>(laws.normal).no_tension ? no_tension : tension) = true;
-    }
-  return tension && no_tension ? Support::no("LIGGGHTS limits the force of all contacts or of none")
-                               : Support{};
-}
-
-/// A rectangle is a plane where it spans its whole cross-section of the domain.
-bool spans_domain(const Rectangle& rectangle, const Domain& domain) {
-  int across = 0;
-  (rectangle.upper - rectangle.lower).minCoeff(&across);
-  for (int axis = 0; axis < 3; ++axis)
-    if (axis != across &&
-        (rectangle.lower[axis] > domain.lower[axis] || rectangle.upper[axis] < domain.upper[axis]))
-      return false;
-  return true;
-}
-
-Support wall_support(const Scene& scene) {
-  for (const Wall& wall : scene.walls) {
-    if (const auto* rectangle = std::get_if<Rectangle>(&wall.shape)) {
-      if (!spans_domain(*rectangle, scene.domain)) return Support::no("LIGGGHTS' flat walls have no edges");
-      continue;
-    }
-    const auto& plane = std::get<Plane>(wall.shape);
-    if (plane.normal.cwiseAbs().maxCoeff() != 1.0)
-      return Support::no("LIGGGHTS' flat walls lie along the axes");
-    for (const Particle& particle : scene.particles)
-      if ((particle.position - plane.point).dot(plane.normal) < 0.0)
-        return Support::no("a particle starts behind a wall, which LIGGGHTS has solid from both sides");
+/// One model serves all contacts of a deck.
+Support one_model(const Scene& scene) {
+  const Models first = models_of(peers::all_laws(scene).front());
+  for (const ContactLaws& laws : peers::all_laws(scene)) {
+    const Models other = models_of(laws);
+    if (other.hertz != first.hertz) return Support::no("LIGGGHTS has one normal model for all contacts");
+    if (other.history != first.history)
+      return Support::no("LIGGGHTS has one tangential model for all contacts");
+    if (other.no_tension != first.no_tension)
+      return Support::no("LIGGGHTS limits the force of all contacts or of none");
+    if (other.hertz && other.tangential_damping != first.tangential_damping)
+      return Support::no("LIGGGHTS' hertz damps all contacts along the tangent or none");
   }
   return {};
+}
+
+Support contact_support(const Scene& scene, const ContactLaws& laws) {
+  if (std::holds_alternative<LinearCohesion>(laws.cohesion))
+    return Support::no("LIGGGHTS has no linear cohesion that reaches beyond the bodies");
+  if (const auto* hertz = std::get_if<HertzNormal>(&laws.normal)) {
+    if (const Support support = hertz_support(scene, *hertz); !support) return support;
+    const auto* history = std::get_if<HistoryFriction>(&laws.friction);
+    if (history && history->damping_ratio != 0.0 && history->damping_ratio != 1.0)
+      return Support::no("LIGGGHTS' hertz has Mindlin's tangential dashpot or none (damping ratio 1 or 0)");
+    if (!history && !std::holds_alternative<Frictionless>(laws.friction))
+      return Support::no("with hertz, LIGGGHTS is asked for history friction only");
+  }
+  return peers::friction_support(scene, laws.friction, own, "LIGGGHTS");
 }
 
 }  // namespace
 
 Support expressible(const Scene& scene, const Request& request) {
-  if (request.ledger) return Support::no("LIGGGHTS keeps no energy and impulse ledger");
-  for (const Support& support : {integrator_support(scene.run.integrator), gravity_support(scene.gravity),
-                                 flow_support(scene.flow), contact_support(scene), wall_support(scene)})
-    if (!support) return support;
-  if (atom_types(scene).types.size() > most_types)
-    return Support::no("more than " + std::to_string(most_types) + " kinds of particles and walls");
-  return {};
+  if (const Support support = peers::setting_support(scene, request, "LIGGGHTS"); !support) return support;
+  for (const ContactLaws& laws : peers::all_laws(scene))
+    if (const Support support = contact_support(scene, laws); !support) return support;
+  return peers::all_laws(scene).empty() ? Support{} : one_model(scene);
 }
 
 std::string variant_of(const Scene& scene) {
-  std::string variant = "hooke/stiffness with absolute damping";
-  if (atom_types(scene).no_tension) variant += ", limitForce";
-  bool friction = false;
-  for (std::size_t a = 0; a < scene.contacts.materials(); ++a)
-    for (std::size_t b = 0; b <= a; ++b)
-      friction |=
-          scene.contacts.has(a, b) && !std::holds_alternative<Frictionless>(scene.contacts.at(a, b).friction);
-  if (friction) variant += "; friction by tangential no_history, the static part as its damping";
+  const Models models = models_of(scene);
+  std::string variant = models.hertz ? "hertz" : "hooke/stiffness with absolute damping";
+  if (models.no_tension) variant += ", limitForce";
+  if (models.history)
+    variant += "; tangential history: limit on the spring, arm r − δ/2, spring projected";
+  else if (models.friction)
+    variant += "; friction by tangential no_history, the static part as its damping";
+  if (scene.rotation) variant += "; nve/sphere";
   if (std::holds_alternative<UniformFlow>(scene.flow)) variant += "; drag by viscous and addforce";
   return variant;
 }

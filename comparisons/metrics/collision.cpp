@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* no_contact = "no two bodies of this scene meet";
 
-/// A collision as its first and last frame show it.
+/// A collision as its first and last frame show it; velocities at the contact.
 struct Encounter {
   Vec3 normal;
   Vec3 before;
@@ -32,8 +32,8 @@ std::optional<Encounter> encounter(const Scene& scene, const Observations& seen)
   const auto pair = first_contact(scene, first);
   if (!pair) return std::nullopt;
   const double wait = gap(scene, first, *pair) > 0.0 ? *time_to_touch(scene, first, *pair) : 0.0;
-  return Encounter{normal(scene, flown(first, wait), *pair), relative_velocity(scene, first, *pair),
-                   relative_velocity(scene, last, *pair)};
+  const Vec3 n = normal(scene, flown(first, wait), *pair);
+  return Encounter{n, contact_velocity(scene, first, *pair, n), contact_velocity(scene, last, *pair, n)};
 }
 
 bool still_touching(const Scene& scene, const Observations& seen) {

@@ -12,7 +12,8 @@ namespace grainproof {
 /// normal at which they meet. From the first and the last frame.
 Measured restitution(const Scene& scene, const Observations& seen);
 
-/// By how much the collision slows the tangential slip, m/s: first and last frame, same normal.
+/// By how much the collision slows the tangential slip, m/s: first and last frame, same normal. Of bodies
+/// that turn, the slip of their surfaces.
 Measured tangential_velocity_change(const Scene& scene, const Observations& seen);
 
 /// From the first touch to the first parting, s. Needs every step. The paths outside the contact are

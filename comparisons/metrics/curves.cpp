@@ -69,11 +69,33 @@ struct Worst {
   }
 };
 
+/// Largest spin, or where nothing turns the largest speed over its particle's radius, rad/s.
+double largest_spin(const Scene& scene, const Observations& exact) {
+  double largest = 0.0;
+  double rolling = 0.0;
+  for (const Frame& frame : exact.frames)
+    for (std::size_t i = 0; i < frame.angular_velocity.size(); ++i) {
+      largest = std::max(largest, frame.angular_velocity[i].norm());
+      rolling = std::max(rolling, 2.0 * frame.velocity[i].norm() / scene.particles[i].diameter);
+    }
+  return largest > 0.0 ? largest : rolling;
+}
+
+bool turns(const Observations& seen) {
+  return std::all_of(seen.frames.begin(), seen.frames.end(), [](const Frame& frame) {
+    return frame.angular_velocity.size() == frame.position.size();
+  });
+}
+
 double kinetic_energy(const Scene& scene, const Frame& frame) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < scene.particles.size(); ++i)
-    if (!scene.particles[i].fixed)
-      sum += 0.5 * mass_of(scene, scene.particles[i]) * frame.velocity[i].squaredNorm();
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    const Particle& body = scene.particles[i];
+    if (body.fixed) continue;
+    sum += 0.5 * mass_of(scene, body) * frame.velocity[i].squaredNorm();
+    if (!frame.angular_velocity.empty())
+      sum += 0.5 * inertia_of(scene, body) * frame.angular_velocity[i].squaredNorm();
+  }
   return sum;
 }
 
@@ -96,6 +118,18 @@ Measured velocity_error(const Scene& scene, const Observations& seen, const Obse
     for (std::size_t i = 0; i < scene.particles.size(); ++i)
       worst.consider(seen.frames[k].velocity[i] - exact.frames[k].velocity[i], exact.frames[k].velocity[i]);
   return worst.relative_to(largest_speed(exact));
+}
+
+Measured angular_velocity_error(const Scene& scene, const Observations& seen, const Observations& exact) {
+  if (const std::string wrong = mismatch(scene, seen, exact); !wrong.empty()) return Measured::none(wrong);
+  if (!turns(exact)) return Measured::none("the exact solution has no angular velocities");
+  if (!turns(seen)) return Measured::none("there are no angular velocities; is `rotation` on?");
+  Worst worst;
+  for (std::size_t k = 0; k < seen.frames.size(); ++k)
+    for (std::size_t i = 0; i < scene.particles.size(); ++i)
+      worst.consider(seen.frames[k].angular_velocity[i] - exact.frames[k].angular_velocity[i],
+                     exact.frames[k].angular_velocity[i]);
+  return worst.relative_to(largest_spin(scene, exact));
 }
 
 Measured kinetic_energy_error(const Scene& scene, const Observations& seen, const Observations& exact) {

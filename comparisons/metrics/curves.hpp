@@ -16,7 +16,12 @@ Measured position_error(const Scene& scene, const Observations& seen, const Obse
 /// Largest velocity error over frames and particles, relative to the largest exact speed.
 Measured velocity_error(const Scene& scene, const Observations& seen, const Observations& exact);
 
-/// Root mean square over the frames of the kinetic energy's error, relative to its largest value.
+/// Largest error of an angular velocity over frames and particles, relative to the largest exact one, or
+/// to the largest exact speed over radius where nothing turns.
+Measured angular_velocity_error(const Scene& scene, const Observations& seen, const Observations& exact);
+
+/// Translation and, where there is one, rotation. Root mean square over the frames of the kinetic energy's
+/// error, relative to its largest value.
 Measured kinetic_energy_error(const Scene& scene, const Observations& seen, const Observations& exact);
 
 }  // namespace grainproof

@@ -14,4 +14,9 @@ inline double mass_of(const Scene& scene, const Particle& particle) {
          6.0;
 }
 
+/// 2/5 m r², kg m².
+inline double inertia_of(const Scene& scene, const Particle& particle) {
+  return 0.1 * mass_of(scene, particle) * particle.diameter * particle.diameter;
+}
+
 }  // namespace grainproof

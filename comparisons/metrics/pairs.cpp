@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparisons/metrics/pairs.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -86,6 +87,17 @@ double gap(const Scene& scene, const Frame& frame, const Pair& pair, Surface sur
 Vec3 relative_velocity(const Scene& scene, const Frame& frame, const Pair& pair) {
   const Vec3 v = velocity_of(scene, frame, pair.second);
   return pair.first ? Vec3(v - velocity_of(scene, frame, *pair.first)) : v;
+}
+
+Vec3 contact_velocity(const Scene& scene, const Frame& frame, const Pair& pair, const Vec3& normal) {
+  Vec3 velocity = relative_velocity(scene, frame, pair);
+  if (frame.angular_velocity.empty()) return velocity;
+  const auto turning = [&](std::size_t particle) -> Vec3 {
+    return radius(scene.particles[particle], Surface::body) * frame.angular_velocity[particle].cross(normal);
+  };
+  velocity -= turning(pair.second);
+  if (pair.first && !scene.particles[*pair.first].fixed) velocity -= turning(*pair.first);
+  return velocity;
 }
 
 std::optional<double> time_to_touch(const Scene& scene, const Frame& frame, const Pair& pair, Surface surface,

@@ -30,6 +30,10 @@ double gap(const Scene& scene, const Frame& frame, const Pair& pair, Surface sur
 /// Velocity of `second` seen from the other; a fixed particle does not move.
 Vec3 relative_velocity(const Scene& scene, const Frame& frame, const Pair& pair);
 
+/// Velocity of `second`'s point at distance r towards the other, seen from the other's such point: with
+/// rotation v2 − v1 − (r2 ω2 + r1 ω1) × n.
+Vec3 contact_velocity(const Scene& scene, const Frame& frame, const Pair& pair, const Vec3& normal);
+
 /// Time until the surfaces touch if both go on in a straight line; negative looks back with
 /// `direction` −1. Empty if they never do.
 std::optional<double> time_to_touch(const Scene& scene, const Frame& frame, const Pair& pair,

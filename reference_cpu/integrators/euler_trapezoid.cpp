@@ -13,6 +13,7 @@ double move(Bodies& bodies, const Flow&, double step, std::int64_t) {
     body.velocity += bodies.acceleration[i] * step;
     body.position += (before + body.velocity) * (0.5 * step);
   }
+  kick_spins(bodies, step);
   return step;
 }
 

@@ -24,6 +24,7 @@ double move(Bodies& bodies, const Flow& flow, double step, std::int64_t) {
           implicit_velocity(body.velocity, fluid_velocity(flow, body.position), step * bodies.drag_rate[i]);
     body.position += (before + body.velocity) * (0.5 * step);
   }
+  kick_spins(bodies, step);
   return step;
 }
 

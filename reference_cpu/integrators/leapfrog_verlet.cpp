@@ -13,6 +13,7 @@ double move(Bodies& bodies, const Flow&, double step, std::int64_t steps_done) {
     body.velocity += bodies.acceleration[i] * kick;
     body.position += body.velocity * step;
   }
+  kick_spins(bodies, kick);
   return kick;
 }
 

@@ -12,6 +12,7 @@ double move(Bodies& bodies, const Flow&, double step, std::int64_t) {
     body.velocity += bodies.acceleration[i] * half_step;
     body.position += body.velocity * step;
   }
+  kick_spins(bodies, half_step);
   return half_step;
 }
 
@@ -19,6 +20,7 @@ double settle(Bodies& bodies, double step) {
   const double half_step = 0.5 * step;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     bodies.body[i].velocity += bodies.acceleration[i] * half_step;
+  kick_spins(bodies, half_step);
   return half_step;
 }
 

@@ -18,6 +18,7 @@ double contact_time_slope(double friction_stiffness, double normal_stiffness) {
 SlipFriction slip_friction(const FrictionLaw& law, double normal_stiffness, double step) {
   return std::visit(
       Overloaded{[](const Frictionless&) { return SlipFriction{}; },
+                 [](const HistoryFriction&) { return SlipFriction{}; },
                  [](const DynamicFriction& given) {
                    return SlipFriction{given.coefficient, std::numeric_limits<double>::infinity()};
                  },

@@ -5,6 +5,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <stdexcept>
 
 #include "analytic/contact_scales.hpp"
 
@@ -98,7 +99,8 @@ void World::set_laws(const ContactLaws& laws, const Real& m) {
       Overloaded{[](const Frictionless&) {}, [&](const DynamicFriction& f) { rub(f.coefficient, -1); },
                  [&](const StepFriction& f) { rub(f.coefficient, Real(f.stiffness) * scene_.run.step); },
                  [&](const CollisionTimeFriction& f) { rub(f.coefficient, f.stiffness * impact_time); },
-                 [&](const DampedFriction& f) { rub(f.coefficient, f.stiffness * impact_time + damping_); }},
+                 [&](const DampedFriction& f) { rub(f.coefficient, f.stiffness * impact_time + damping_); },
+                 [](const HistoryFriction&) { throw std::logic_error("no history here"); }},
       laws.friction);
 }
 

@@ -11,7 +11,7 @@ inline Scene glass_scene(LinearNormal normal = {1e5, Restitution{0.8}}) {
   Scene scene;
   scene.run = RunSettings{.end = 0.02, .step = 1e-4, .sample_times = {0.0, 0.01, 0.02}};
   scene.domain = {Vec3::Constant(-100.0), Vec3::Constant(100.0)};
-  scene.materials = {{"glass", 2000.0}};
+  scene.materials = {{"glass", 2000.0, Elasticity{1e8, 0.25}}};
   scene.contacts = ContactTable(1);
   scene.contacts.set(0, 0, ContactLaws{normal});
   return scene;

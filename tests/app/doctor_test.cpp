@@ -12,6 +12,7 @@ TEST(DoctorCommand, ListsDevicesWithTheirPrecisions) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_NE(ended.out.find("single"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("liggghts"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("lammps"), std::string::npos) << ended.out;
 }
 
 TEST(DoctorCommand, SaysWhatToInstall) {
@@ -20,6 +21,7 @@ TEST(DoctorCommand, SaysWhatToInstall) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_NE(ended.out.find("apt-get install pocl-opencl-icd"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("apt-get install liggghts"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("apt-get install lammps"), std::string::npos) << ended.out;
 }
 
 TEST(DataFolder, ThatIsNoneIsRefused) {

@@ -88,6 +88,18 @@ TEST(CsvFrame, ReadsBackAsTheSameNumbers) {
                                           0.30000000000000004, 1e-17, -2.0 / 3.0, 0}));
 }
 
+TEST(Frames, HaveAngularVelocitiesWhereBodiesTurn) {
+  Scene scene = two_spheres();
+  scene.rotation = true;
+  Frame frame = frame_of(scene, 3);
+  frame.angular_velocity = {{1.0 / 7.0, -2.0, 3e-9}, {0.0, 0.1, 5.0}};
+  const ptree piece = parsed(report::vtp_text(scene, frame)).get_child("VTKFile.PolyData.Piece");
+  EXPECT_EQ(numbers_of(piece.get_child("PointData"), "angular_velocity"), flat(frame.angular_velocity));
+  const std::string text = report::csv_text(scene, frame);
+  EXPECT_NE(text.find(",0.14285714285714285,-2,3e-09\n"), std::string::npos) << text;
+  EXPECT_EQ(std::string(report::csv_header(scene)), "time,id,x,y,z,vx,vy,vz,wx,wy,wz\n");
+}
+
 TEST(FrameWriter, RefusesAFolderItCannotWriteTo) {
   EXPECT_THROW(report::FrameWriter("/proc/nowhere", two_spheres(), true), std::filesystem::filesystem_error);
 }

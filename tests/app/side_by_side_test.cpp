@@ -30,6 +30,18 @@ TEST(SideBySide, IsRelativeToDiameterAndLargestSpeed) {
   EXPECT_DOUBLE_EQ(apart.frames[0].velocity, 0.25);
 }
 
+TEST(SideBySide, SpinCountsAsTheSpeedOfTheSurface) {
+  const Scene scene = spheres_at({{1, 1, 1}, {3, 3, 3}});
+  Frame turning = frame_of(scene);
+  turning.angular_velocity = {Vec3(0, 8, 0), Vec3::Zero()};
+  Frame slower = turning;
+  slower.angular_velocity[0].y() = 6.0;
+  const auto apart = report::difference(scene, seen_by("a", {turning}), seen_by("b", {slower}));
+  EXPECT_DOUBLE_EQ(apart.scale.speed, 4.0);
+  EXPECT_DOUBLE_EQ(apart.frames[0].spin, 0.25);
+  EXPECT_EQ(apart.frames[0].velocity, 0.0);
+}
+
 TEST(SideBySide, TakesTheShortWayThroughAPeriodicFace) {
   const Scene scene = spheres_at({{0.01, 1, 1}}, Boundary::periodic);
   Frame other = frame_of(scene);

@@ -52,6 +52,12 @@ TEST(VerifyCommand, GoesOnWithoutOpenClDevice) {
   EXPECT_NE(ended.out.find("3 passed, 0 failed"), std::string::npos) << ended.out;
 }
 
+TEST(VerifyCommand, GoesOnWithoutLammps) {
+  const Ended ended = run_program("verify settling --engines reference,lammps", "PATH=/nonexistent");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.err.find("apt-get install lammps"), std::string::npos) << ended.err;
+}
+
 TEST(VerifyCommand, GoesOnWithoutLiggghts) {
   const Ended ended = run_program("verify settling --engines reference,liggghts", "PATH=/nonexistent");
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;

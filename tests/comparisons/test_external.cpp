@@ -70,6 +70,18 @@ TEST(External, RowsMayComeInAnyOrderWithFramesThatNobodyAskedFor) {
   EXPECT_EQ(seen.frames[1].step, 10);
 }
 
+TEST(External, AngularVelocitiesAreReadWhereBodiesTurn) {
+  Scene scene = two_frames();
+  scene.rotation = true;
+  const std::string turning = "time,id,x,y,z,vx,vy,vz,wx,wy,wz\n";
+  const Writer writer(turning + "0,1,0,0,0,0,0,0,0,0,0\n0,2,0.1,0,0,-2,0,0,0,0,0\n" +
+                      "0.01,2,0.2,0,0,1.6,0,0,1,-2,0.1\n0.01,1,0,0,0,0,0,0,0,0,0\n");
+  const Observations seen = ExternalEngine(writer.command()).observe(scene, {});
+  EXPECT_EQ(seen.frames.back().angular_velocity[1], Vec3(1.0, -2.0, 0.1));
+  const Writer without(head + first + last);
+  EXPECT_THROW(ExternalEngine(without.command()).observe(scene, {}), EngineFailed);
+}
+
 TEST(External, FailureOfTheCommandIsReportedWithItsWords) {
   ExternalEngine engine("echo the licence has expired; exit 5; :");
   try {
@@ -120,6 +132,24 @@ TEST(External, SceneFileHoldsEveryNumberInFull) {
   EXPECT_EQ(read["run"]["frame_steps"], (nlohmann::json{0, 10}));
   EXPECT_EQ(read["walls"][0]["plane"]["normal"][2].get<double>(), 1.0);
   EXPECT_TRUE(read["flow"].is_null());
+}
+
+TEST(External, SceneFileHoldsHertzContactsWithTheirHistory) {
+  Scene scene = two_frames();
+  scene.rotation = true;
+  scene.materials[0].elasticity = Elasticity{1.0 / 3.0, 0.3};
+  scene.particles[1].angular_velocity.y() = 7.0;
+  scene.contacts.set(0, 0,
+                     {HertzNormal{Restitution{0.7}},
+                      HistoryFriction{0.4, 0.0, 1.0, CoulombLimit::spring, TorqueArm::overlap}});
+  const nlohmann::json read = nlohmann::json::parse(external::scene_json(scene, {}).dump());
+  EXPECT_EQ(read["rotation"], true);
+  EXPECT_EQ(read["materials"][0]["youngs_modulus"].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(read["particles"][1]["angular_velocity"][1].get<double>(), 7.0);
+  EXPECT_EQ(read["contacts"][0]["normal"], (nlohmann::json{{"law", "hertz"}, {"restitution", 0.7}}));
+  EXPECT_EQ(read["contacts"][0]["friction"]["limit"], "spring");
+  EXPECT_EQ(read["contacts"][0]["friction"]["arm"], "overlap");
+  EXPECT_EQ(read["contacts"][0]["friction"]["turn"], "project_and_rescale");
 }
 
 }  // namespace

@@ -46,6 +46,18 @@ TEST(BuildOptions, FrictionThatNoPairInPlayHasIsLeftOut) {
   EXPECT_TRUE(options_of(scene).cohesion);
 }
 
+TEST(BuildOptions, RotationHistoryAndHertzAreLeftOutUnlessASceneHasThem) {
+  const BuildOptions plain = options_of(varied_scene("damped_friction"));
+  EXPECT_FALSE(plain.rotation || plain.history || plain.hertz);
+  for (const char* absent : {"rotation.cl", "history.cl", "rise_hertz.cl", "boundary_spin.cl"})
+    EXPECT_FALSE(has(files_of(plain), absent)) << absent;
+  const BuildOptions hertz = options_of(varied_scene("hertz"), {}, false);
+  EXPECT_TRUE(hertz.rotation && hertz.history && hertz.hertz);
+  EXPECT_FALSE(hertz.friction);
+  EXPECT_TRUE(has(files_of(hertz), "carry.cl"));
+  EXPECT_FALSE(options_of(varied_scene("history")).rotation);
+}
+
 TEST(BuildOptions, WallsOutOfReachAreLeftOut) {
   Scene scene = head_on_scene(0.8, 64);
   scene.walls = {{"below", 0, Plane{{0, 0, -1.06}, Vec3::UnitZ()}},

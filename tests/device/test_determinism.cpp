@@ -101,6 +101,57 @@ TEST_P(ZonedBits, DoNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one.output, all.output);
 }
 
+/// Springs that live through many rebuilds, some of them across periodic faces.
+class HistoryBits : public ::testing::TestWithParam<Precision> {};
+
+TEST_P(HistoryBits, DoNotDependOnTheSkinNorOnThePath) {
+  for (const char* name : {"turning_liggghts", "turning_periodic"}) {
+    const Scene scene = varied_scene(name, 8);
+    const std::uint64_t usual = digest_of(with_path(GetParam(), Path::small), scene);
+    for (const double skin : {0.0, 0.01, 0.05}) {
+      EngineOptions options = with_path(GetParam(), Path::zoned);
+      options.skin = skin;
+      EXPECT_EQ(digest_of(options, scene), usual) << name << " with skin " << skin;
+    }
+  }
+}
+
+TEST_P(HistoryBits, DoNotDependOnThreadsWorkGroupOrHowStepsAreAskedFor) {
+  const Scene scene = varied_scene("turning_liggghts", 40);
+  EngineOptions options = with_path(GetParam(), Path::zoned);
+  const std::uint64_t usual = digest_of(options, scene);
+  options.work_group = 16;
+  OpenClEngine engine(options);
+  const auto run = engine.start(scene, {});
+  for (int asked = 0; asked < varied_steps; asked += 20) {
+    run->advance(20);
+    run->synchronise();
+  }
+  EXPECT_GT(run->counters().list_rebuilds, 3);
+  EXPECT_EQ(run->digest(), usual);
+  const std::string arguments = std::string(name_of(GetParam())) + " zoned turning_liggghts 40 100";
+  const Finished one = run_driver("POCL_MAX_PTHREAD_COUNT=1", arguments), all = run_driver("", arguments);
+  ASSERT_EQ(one.status, 0) << one.output;
+  EXPECT_EQ(one.output, all.output);
+}
+
+TEST_P(HistoryBits, AreOfTheSpringsToo) {
+  const Scene scene = varied_scene("turning_liggghts");
+  OpenClEngine engine(with_path(GetParam(), Path::zoned));
+  const auto run = engine.start(scene, {});
+  run->advance(varied_steps);
+  const State state = run->state();
+  EXPECT_GT(state.contacts.size(), 5u);
+  for (std::size_t k = 0; k < state.contacts.size(); ++k) {
+    const ContactMemory& memory = state.contacts[k];
+    EXPECT_TRUE(memory.second < 0 || memory.first < memory.second);
+    EXPECT_LE(state.contacts[k > 0 ? k - 1 : 0].first, memory.first);
+  }
+  ASSERT_EQ(state.angular_velocity.size(), scene.particles.size());
+}
+
+GRAINPROOF_IN_BOTH_PRECISIONS(HistoryBits);
+
 GRAINPROOF_IN_BOTH_PRECISIONS(ZonedBits);
 
 class Samples : public ::testing::TestWithParam<Precision> {};

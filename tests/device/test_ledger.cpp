@@ -62,7 +62,9 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, LedgerOf,
     ::testing::Combine(::testing::Values(Precision::single_precision, Precision::double_precision),
                        ::testing::Values("boxed", "damped_friction", "fixed", "sticky", "implicit_drag",
-                                         "leapfrog_verlet", "velocity_verlet", "rotating_gravity")),
+                                         "leapfrog_verlet", "velocity_verlet", "rotating_gravity", "history",
+                                         "turning_lammps", "turning_liggghts", "turning_damped", "hertz",
+                                         "hertz_and_springs", "turning_in_rectangles")),
     [](const ::testing::TestParamInfo<Case>& param) {
       return std::string(name_of(std::get<0>(param.param))) + "_" + std::get<1>(param.param);
     });

@@ -71,6 +71,10 @@ TEST_F(OclgrindOnce, FindsTheRaceOfAMissingBarrier) {
   EXPECT_NE(finished.output.find("race"), std::string::npos) << finished.output;
 }
 
+TEST_F(OclgrindOnce, FindsNothingWhereSpringsGoFromListToList) {
+  expect_clean(run_driver(checker, "single zoned turning_liggghts 8 60"));
+}
+
 TEST_F(OclgrindOnce, FindsNothingInABuildOfEveryStage) {
   for (const char* precision : {"single ", "double "})
     expect_clean(run_driver(checker, precision + std::string("zoned damped_friction 20 6 full")));

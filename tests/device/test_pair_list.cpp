@@ -43,11 +43,12 @@ Scene cloud(const Shape& shape, int particles) {
 Lists device_lists(const Scene& scene, Precision precision) {
   const EngineOptions options = options_for(precision);
   Workshop workshop(options.device, options.kernels);
-  Program& program = workshop.program(build_options(scene, {}, precision, false));
+  const BuildOptions build = build_options(scene, {}, precision, false);
+  Program& program = workshop.program(build);
   const ZoneGrid grid = choose_zones(scene, skin);
   const SceneImage image = make_image(scene, precision, grid, 32);
   const auto decoder = make_decoder(precision, scene.domain);
-  const World world = make_world(workshop, image, *decoder, false);
+  const World world = make_world(workshop, image, *decoder, build);
   PairList list(workshop, program, image, *decoder, grid, 32);
   list.build(world);
   list.build(world);  // again, since every buffer is used again

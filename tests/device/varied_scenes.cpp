@@ -158,6 +158,58 @@ Scene in_a_tilted_trough(int layers) {
   return scene;
 }
 
+/// Spheres that turn, each at its own rate.
+void spin(Scene& scene) {
+  Dice dice;
+  scene.rotation = true;
+  for (Particle& p : scene.particles) p.angular_velocity = dice.vector(40.0);
+}
+
+constexpr HistoryFriction lammps{0.5, 8e4, 0.5};
+constexpr HistoryFriction liggghts{
+    0.5, 8e4, 1.0, CoulombLimit::spring, TorqueArm::overlap, SpringTurn::project_and_rescale};
+constexpr HistoryFriction projected{
+    0.3, 8e4, 0.0, CoulombLimit::spring, TorqueArm::radius, SpringTurn::project};
+
+Scene turning(int layers, FrictionLaw friction, Integrator integrator = Integrator::velocity_verlet) {
+  Scene scene = rubbing(layers, friction);
+  scene.run.integrator = integrator;
+  spin(scene);
+  return scene;
+}
+
+Scene turning_across_faces(int layers) {
+  Scene scene = turning(layers, liggghts);
+  scene.walls.clear();
+  scene.domain.boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
+  return scene;
+}
+
+Scene of_hertz(int layers) {
+  Scene scene = turning(layers, Frictionless{});
+  scene.materials[0].elasticity = Elasticity{2e6, 0.3};
+  scene.contacts.set(0, 0, {HertzNormal{Restitution{0.7}}, HistoryFriction{0.5, 0.0, 1.0}, NoCohesion{}});
+  return scene;
+}
+
+Scene of_hertz_and_springs(int layers) {
+  Scene scene = of_two_materials(layers);
+  spin(scene);
+  for (Material& material : scene.materials) material.elasticity = Elasticity{3e6, 0.25};
+  scene.contacts.set(0, 0, {HertzNormal{Restitution{0.8}}, DynamicFriction{0.3}, NoCohesion{}});
+  scene.contacts.set(1, 1, {HertzNormal{Restitution{0.1}}, liggghts, LinearCohesion{1e3}});
+  scene.contacts.set(0, 1, {LinearNormal{1e5, Restitution{0.5}, true}, lammps, NoCohesion{}});
+  for (Particle& p : scene.particles) p.fixed = p.id % 7 == 0;
+  return scene;
+}
+
+Scene in_rough_rectangles(int layers) {
+  Scene scene = around_a_centre(layers);
+  scene.contacts.set(0, 0, {LinearNormal{stiffness, Restitution{0.8}, false}, lammps, NoCohesion{}});
+  spin(scene);
+  return scene;
+}
+
 using Maker = std::function<Scene(int)>;
 
 const std::map<std::string, Maker>& makers() {
@@ -189,6 +241,17 @@ const std::map<std::string, Maker>& makers() {
       {"central_gravity_in_rectangles", around_a_centre},
       {"rotating_gravity", shaken},
       {"tilted_plane", in_a_tilted_trough},
+      {"history", [](int n) { return rubbing(n, projected); }},
+      {"turning_lammps", [](int n) { return turning(n, lammps, Integrator::leapfrog_verlet); }},
+      {"turning_liggghts", [](int n) { return turning(n, liggghts); }},
+      {"turning_damped",
+       [](int n) {
+         return turning(n, DampedFriction{0.5, 1e5}, Integrator::euler_trapezoid);
+       }},
+      {"turning_periodic", turning_across_faces},
+      {"turning_in_rectangles", in_rough_rectangles},
+      {"hertz", of_hertz},
+      {"hertz_and_springs", of_hertz_and_springs},
   };
   return table;
 }

@@ -39,8 +39,8 @@ inline std::string refusal_of(const std::string& text, const ReadOptions& option
 
 class Refusal : public ::testing::TestWithParam<Mistake> {};
 
-inline void expect_refused(const Mistake& mistake) {
-  const std::string text = example_with(mistake.there, mistake.instead);
+inline void expect_refused(const Mistake& mistake, const std::string& correct = example) {
+  const std::string text = with(correct, mistake.there, mistake.instead);
   const std::string message = refusal_of(text);
   const std::string passage = mistake.on_line_of ? mistake.on_line_of : mistake.instead;
   const std::string place = "scene.toml:" + std::to_string(line_of(text, passage)) + ":";

@@ -19,8 +19,8 @@ const Mistake words[] = {
     {"UnknownKeyFarFromAll", "density = 2000.0", "density = 1.0\nwatermelon = 1", "\"watermelon\"",
      "\"density\"", "watermelon"},
     {"UnknownKeyInLaw", "stiffness = 1e5,", "stiffnes = 1e5,", "unknown key \"stiffnes\"", "\"stiffness\""},
-    {"UnknownNormalLaw", "law = \"linear\", stiffness = 1e5", "law = \"hertz\", stiffness = 1e5", "\"hertz\"",
-     "\"linear\""},
+    {"UnknownNormalLaw", "law = \"linear\", stiffness = 1e5", "law = \"walton\", stiffness = 1e5",
+     "\"walton\"", "\"linear\" or \"hertz\""},
     {"UnknownFrictionLaw", glass_law,
      "{ law = \"linear\", stiffness = 1e5, restitution = 0.8 }\nfriction = { law = \"steps\", coefficient = "
      "1 }",
@@ -42,8 +42,8 @@ const Mistake words[] = {
     {"NoRun", "[run]", "[bodies]", "no \"run\"", "\"run\"", "schema = 1"},
     {"NoStep", "step = \"contact/64\"", "", "no \"step\"", "\"step\"", "[run]"},
     {"NoDensity", "density = 2000.0", "", "no \"density\" in glass", "\"density\"", "[material.glass]"},
-    {"RotationIsNotAvailable", "[field]", "[bodies]\nrotation = true\n[field]", "rotation = true", "false",
-     "rotation"},
+    {"RotationInWords", "[field]", "[bodies]\nrotation = \"on\"\n[field]", "rotation = \"on\"",
+     "true or false", "rotation"},
 };
 
 const Mistake types[] = {

@@ -98,6 +98,46 @@ TEST(Supports, ClampedContactWithoutReboundIsRefused) {
   EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
 }
 
+TEST(Supports, AngularVelocityNeedsRotationAndAFreeParticle) {
+  Scene scene = small_scene();
+  scene.particles[1].angular_velocity.z() = 1.0;
+  expect_refused(scene, "particle 2 has an angular velocity");
+  scene.rotation = true;
+  EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
+  scene.particles[1].fixed = true;
+  expect_refused(scene, "fixed particle 2");
+}
+
+Scene hertz_scene(Dissipation dissipation, const FrictionLaw& friction) {
+  Scene scene = small_scene();
+  scene.materials[0].elasticity = Elasticity{1e9, 0.3};
+  scene.contacts.set(0, 0, {.normal = HertzNormal{dissipation}, .friction = friction});
+  return scene;
+}
+
+TEST(Supports, HertzContactNeedsElasticityAndARestitution) {
+  Scene scene = hertz_scene(Restitution{0.5}, HistoryFriction{0.3, 0.0, 1.0});
+  EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
+  scene.materials[0].elasticity.reset();
+  expect_refused(scene, "elasticity of 'glass'");
+  expect_refused(hertz_scene(Damping{1.0}, Frictionless{}), "restitution only");
+  expect_refused(hertz_scene(Restitution{0.0}, Frictionless{}), "above 0");
+}
+
+TEST(Supports, FrictionThatNeedsALinearContactTimeIsRefusedOnHertzContacts) {
+  EXPECT_TRUE(reference::ReferenceEngine().supports(hertz_scene(Restitution{0.5}, DynamicFriction{0.3}), {}));
+  expect_refused(hertz_scene(Restitution{0.5}, CollisionTimeFriction{0.3, 1e3}), "contact time");
+  expect_refused(hertz_scene(Restitution{0.5}, DampedFriction{0.3, 1e3}), "contact time");
+}
+
+TEST(Supports, LinearContactNeedsATangentialStiffnessForHistory) {
+  Scene scene = small_scene();
+  ContactLaws laws = scene.contacts.at(0, 0);
+  laws.friction = HistoryFriction{0.3, 0.0, 1.0};
+  scene.contacts.set(0, 0, laws);
+  expect_refused(scene, "tangential stiffness");
+}
+
 TEST(Provenance, NamesEngineAndPrecision) {
   const reference::ReferenceEngine engine;
   EXPECT_EQ(engine.name(), "reference");

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "comparisons/peers/script_engine.hpp"
+
+namespace grainproof {
+
+/// LAMMPS as an engine. Its integrator is velocity Verlet with the half-step velocity in the dashpot,
+/// which is leap-frog's trajectory too.
+class LammpsEngine : public peers::ScriptEngine {
+ public:
+  explicit LammpsEngine(peers::ProgramOptions options = {"lmp"});
+};
+
+}  // namespace grainproof

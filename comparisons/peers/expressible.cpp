@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "comparisons/peers/expressible.hpp"
+
+#include <variant>
+
+#include "comparisons/peers/atom_types.hpp"
+
+namespace grainproof::peers {
+namespace {
+
+constexpr std::size_t most_types = 32;  // parameters are a table over pairs of types
+
+Support integrator_support(Integrator integrator, const std::string& program) {
+  const bool same = integrator == Integrator::velocity_verlet || integrator == Integrator::leapfrog_verlet;
+  return same ? Support{}
+              : Support::no(program + " integrates by velocity Verlet, not " +
+                            std::string(name_of(integrator)));
+}
+
+Support gravity_support(const Gravity& gravity, const std::string& program) {
+  return std::visit(Overloaded{[](const ConstantGravity&) { return Support{}; },
+                               [&](const RotatingGravity&) {
+                                 return Support::no(program + " has no gravity that rotates with t²");
+                               },
+                               [&](const CentralGravity&) {
+                                 return Support::no(program + " has no gravity towards a point");
+                               }},
+                    gravity);
+}
+
+Support flow_support(const Flow& flow, const std::string& program) {
+  return std::visit(
+      Overloaded{[](const NoFlow&) { return Support{}; }, [](const UniformFlow&) { return Support{}; },
+                 [&](const TaylorGreenFlow&) { return Support::no(program + " has no Taylor-Green flow"); }},
+      flow);
+}
+
+/// A rectangle is a plane where it spans its whole cross-section of the domain.
+bool spans_domain(const Rectangle& rectangle, const Domain& domain) {
+  int across = 0;
+  (rectangle.upper - rectangle.lower).minCoeff(&across);
+  for (int axis = 0; axis < 3; ++axis)
+    if (axis != across &&
+        (rectangle.lower[axis] > domain.lower[axis] || rectangle.upper[axis] < domain.upper[axis]))
+      return false;
+  return true;
+}
+
+Support wall_support(const Scene& scene, const std::string& program) {
+  for (const Wall& wall : scene.walls) {
+    if (const auto* rectangle = std::get_if<Rectangle>(&wall.shape)) {
+      if (!spans_domain(*rectangle, scene.domain))
+        return Support::no(program + "'s flat walls have no edges");
+      continue;
+    }
+    const auto& plane = std::get<Plane>(wall.shape);
+    if (plane.normal.cwiseAbs().maxCoeff() != 1.0)
+      return Support::no(program + "'s flat walls lie along the axes");
+    for (const Particle& particle : scene.particles)
+      if ((particle.position - plane.point).dot(plane.normal) < 0.0)
+        return Support::no("a particle starts behind a wall, which " + program +
+                           " has solid from both sides");
+  }
+  return {};
+}
+
+Support history_support(const Scene& scene, const HistoryFriction& law, const HistoryVariant& own,
+                        const std::string& program) {
+  if (law.turn != own.turn)
+    return Support::no(program + " turns the tangential spring by " +
+                       (own.turn == SpringTurn::project ? "project" : "project_and_rescale") + " only");
+  if (law.limit != own.limit && law.damping_ratio > 0.0)
+    return Support::no(program + " puts the Coulomb limit on " +
+                       (own.limit == CoulombLimit::spring ? "the spring alone" : "spring and dashpot"));
+  if (law.arm != own.arm && scene.rotation)
+    return Support::no(
+        program + " turns spheres at " +
+        (own.arm == TorqueArm::radius ? "their radius" : "their radius less half the overlap"));
+  return {};
+}
+
+}  // namespace
+
+Support setting_support(const Scene& scene, const Request& request, const std::string& program) {
+  if (request.ledger) return Support::no(program + " keeps no energy and impulse ledger");
+  for (const Support& support :
+       {integrator_support(scene.run.integrator, program), gravity_support(scene.gravity, program),
+        flow_support(scene.flow, program), wall_support(scene, program)})
+    if (!support) return support;
+  if (atom_types(scene).types.size() > most_types)
+    return Support::no("more than " + std::to_string(most_types) + " kinds of particles and walls");
+  return {};
+}
+
+Support friction_support(const Scene& scene, const FrictionLaw& friction, const HistoryVariant& own,
+                         const std::string& program) {
+  if (const auto* law = std::get_if<HistoryFriction>(&friction))
+    return history_support(scene, *law, own, program);
+  if (scene.rotation && own.arm != TorqueArm::radius && !std::holds_alternative<Frictionless>(friction))
+    return Support::no(program + " turns spheres at their radius less half the overlap");
+  return {};
+}
+
+}  // namespace grainproof::peers

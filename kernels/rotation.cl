@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// docs/laws/rotation.md: dω/dt = τ/I, I = 2/5 m r²; the torque of a force at the end of an arm along the normal.
+typedef struct {
+  real3 torque;
+} Turning;
+
+INLINE Turning no_turning() {
+  Turning t = {(real3)(0)};
+  return t;
+}
+
+// Written out, so that mirrored arguments give mirrored bits on every device.
+INLINE real3 across(real3 a, real3 b) {
+  return (real3)(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+INLINE real torque_arm(real radius, real overlap, PairLaw law) {
+  return law.history & ARM_SHORTENED ? radius - (real)0.5 * overlap : radius;
+}
+
+// v_rel = v2 − v1 − (a1 ω1 + a2 ω2) × n: the last term.
+INLINE real3 rolling_of_pair(World w, int i, real arm_i, int j, real arm_j, real3 normal) {
+  return across(arm_i * w.spins[i].xyz + arm_j * w.spins[j].xyz, normal);
+}
+
+INLINE real3 rolling_on_wall(World w, int i, real arm, real3 normal) {
+  return across(arm * w.spins[i].xyz, normal);
+}
+
+// The second body is touched at −a n from its centre.
+INLINE void turn_body(Turning* t, real arm, real3 normal, real3 rubbing) {
+  t->torque -= arm * across(normal, rubbing);
+}
+
+INLINE void close_turning(World w, int i, Turning t) {
+  w.angular_accelerations[i] = (real4)(t.torque * w.spins[i].w, 0);
+}
+
+INLINE void spin_up(World w, int i, real duration) {
+  Motion m = motion_in(w.spins, w.spin_rests, i);
+  kick(&m, w.angular_accelerations[i].xyz * duration);
+  keep_motion(w.spins, w.spin_rests, i, m);
+}

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Nothing turns.
+typedef struct {
+  char nothing;
+} Turning;
+
+INLINE Turning no_turning() {
+  Turning t = {0};
+  return t;
+}
+INLINE real torque_arm(real radius, real overlap, PairLaw law) { return 0; }
+INLINE real3 rolling_of_pair(World w, int i, real arm_i, int j, real arm_j, real3 normal) { return (real3)(0); }
+INLINE real3 rolling_on_wall(World w, int i, real arm, real3 normal) { return (real3)(0); }
+INLINE void turn_body(Turning* t, real arm, real3 normal, real3 rubbing) {}
+INLINE void close_turning(World w, int i, Turning t) {}
+INLINE void spin_up(World w, int i, real duration) {}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "model/vec3.hpp"
+
+namespace grainproof::reference {
+
+/// Tangential springs of the bodies that touch, from one evaluation of the forces to the next.
+/// Contacts are gone through by rising (first, second), whoever found them, so the memory of one is
+/// met by going along those of the evaluation before: it hangs on no list, and none that is rebuilt
+/// can lose it. What is not kept has parted and is forgotten.
+class ContactHistory {
+ public:
+  struct Memory {
+    std::int32_t first;   ///< particle; for a wall its index after the particles
+    std::int32_t second;  ///< particle
+    Vec3 displacement;    ///< m
+  };
+
+  /// Starts an evaluation; springs are stretched for `elapsed` (s).
+  void begin(double elapsed) {
+    elapsed_ = elapsed;
+    before_.swap(now_);
+    now_.clear();
+    next_ = 0;
+  }
+
+  double elapsed() const { return elapsed_; }
+
+  /// Zero for bodies that did not touch before. To be asked by rising (first, second).
+  Vec3 recall(std::int32_t first, std::int32_t second) {
+    while (next_ < before_.size() && precedes(before_[next_], first, second)) ++next_;
+    if (next_ == before_.size() || before_[next_].first != first || before_[next_].second != second)
+      return Vec3::Zero();
+    return before_[next_].displacement;
+  }
+
+  void keep(std::int32_t first, std::int32_t second, const Vec3& displacement) {
+    now_.push_back({first, second, displacement});
+  }
+
+  const std::vector<Memory>& memories() const { return now_; }
+
+ private:
+  static bool precedes(const Memory& memory, std::int32_t first, std::int32_t second) {
+    return memory.first != first ? memory.first < first : memory.second < second;
+  }
+
+  std::vector<Memory> before_, now_;
+  std::size_t next_ = 0;
+  double elapsed_ = 0.0;
+};
+
+}  // namespace grainproof::reference

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+
+#include "model/vec3.hpp"
+
+namespace grainproof::reference {
+
+/// Two surfaces near each other, body 2 seen from body 1.
+struct Encounter {
+  std::int32_t first;   ///< particle, or −1 − index of a wall
+  std::int32_t second;  ///< particle
+  Vec3 normal;
+  double overlap;         ///< of the bodies, m
+  double effect_overlap;  ///< of the reaches of cohesion, m
+
+  bool with_wall() const { return first < 0; }
+};
+
+inline std::int32_t wall_as_body(std::size_t wall) {
+  return -1 - static_cast<std::int32_t>(wall);
+}
+
+/// From the centres to where friction acts, m; zero where nothing turns.
+struct TorqueArms {
+  double first = 0.0;
+  double second = 0.0;
+};
+
+}  // namespace grainproof::reference
