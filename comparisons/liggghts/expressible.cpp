@@ -13,17 +13,16 @@ namespace grainproof::liggghts {
 namespace {
 
 constexpr peers::HistoryVariant own{CoulombLimit::spring, TorqueArm::overlap, SpringTurn::project};
-constexpr double least_restitution = 0.05;  // LIGGGHTS refuses others
+constexpr double least_restitution = 0.05;  // itself refused by LIGGGHTS
 
 Support hertz_support(const Scene& scene, const HertzNormal& law) {
   const auto* given = std::get_if<Restitution>(&law.dissipation);
   if (!given) return Support::no("LIGGGHTS' hertz has its dashpot from a restitution");
-  if (given->value < least_restitution)
-    return Support::no("LIGGGHTS' hertz refuses a restitution below 0.05");
+  if (given->value <= least_restitution)
+    return Support::no("LIGGGHTS' hertz refuses a restitution of 0.05 or less");
   for (const Material& material : scene.materials)
-    if (material.elasticity &&
-        (material.elasticity->poisson_ratio < 0.0 || material.elasticity->poisson_ratio >= 0.5))
-      return Support::no("LIGGGHTS refuses a Poisson ratio outside [0, 0.5)");
+    if (material.elasticity && material.elasticity->poisson_ratio < 0.0)
+      return Support::no("LIGGGHTS refuses a Poisson ratio below 0");
   return {};
 }
 

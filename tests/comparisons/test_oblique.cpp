@@ -200,5 +200,20 @@ TEST(Oblique, VariantsThatAreNotTheProgramsOwnAreRefusedWithTheReason) {
   EXPECT_EQ(because(lammps, other), "");
 }
 
+TEST(Oblique, HertzContactsThatLiggghtsDoesNotHaveAreRefusedWithTheReason) {
+  const LiggghtsEngine liggghts;
+  const auto answer = [&](const ContactLaws& laws, double poisson_ratio = 0.3) {
+    Scene scene = elastic<random_pair>(laws, 1);
+    scene.materials[0].elasticity->poisson_ratio = poisson_ratio;
+    return liggghts.supports(scene, {}).because;
+  };
+  EXPECT_EQ(answer(hertz(as_liggghts, 0.7, 1.0), 0.5), "");
+  EXPECT_NE(answer(hertz(as_liggghts, 0.7, 0.5)).find("damping ratio 1 or 0"), std::string::npos);
+  EXPECT_NE(answer(hertz(as_liggghts, 0.05, 1.0)).find("0.05 or less"), std::string::npos);
+  EXPECT_NE(answer(hertz(as_liggghts, 0.7, 1.0), -0.1).find("Poisson"), std::string::npos);
+  EXPECT_NE(answer({HertzNormal{Restitution{0.7}}, DynamicFriction{0.3}}).find("history friction only"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace grainproof::test

@@ -44,7 +44,7 @@ TEST(HertzContact, ImpactSpeedStandsInForTheSceneSOwn) {
   EXPECT_NEAR(step_at("64.0") / step_at("2.0"), 0.5, 1e-14);  // as v^(-1/5)
 }
 
-TEST(HistoryFriction, HasLammpsOwnVariantByDefaultAndNoDashpot) {
+TEST(HistoryFriction, HasTheModelsVariantByDefaultAndNoDashpot) {
   const Scene scene = read_text(hertzian("{ law = \"history\", coefficient = 0.3 }")).scenes.at(0).scene;
   const auto& law = std::get<HistoryFriction>(scene.contacts.at(0, 0).friction);
   EXPECT_EQ(law.coefficient, 0.3);
