@@ -44,7 +44,7 @@ template <class Test>
 class WithOclgrind : public Test {
  protected:
   void SetUp() override {
-    if (std::system("command -v oclgrind >/dev/null 2>&1") != 0) GTEST_SKIP() << "oclgrind is not installed";
+    if (std::system("command -v oclgrind >/dev/null 2>&1") != 0) FAIL() << "oclgrind is not installed";
   }
 };
 
