@@ -31,7 +31,11 @@ struct OrderBound {
   double within;
 };
 
-enum class Statistic { maximum, rms, mean };
+/// `band` holds the difference of two engines' means over the samples against its own confidence band.
+enum class Statistic { maximum, rms, mean, band };
+
+/// When a case is run: always, not with --quick, or with --bulk only.
+enum class Tier { quick, standard, bulk };
 
 /// One row of what a case claims. See docs/scene.md, [[expect]].
 struct Expectation {
@@ -52,6 +56,7 @@ struct Expectation {
 struct Case {
   std::string name;  ///< file name without ending
   std::string title;
+  Tier tier = Tier::quick;
   std::vector<ResolvedScene> scenes;
   std::vector<Expectation> expectations;
   std::string no_peers_because;  ///< where peers are not asked, the reason shown in the report

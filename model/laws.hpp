@@ -18,7 +18,12 @@ struct Damping {
   double value;
 };
 
-using Dissipation = std::variant<Restitution, Damping>;
+/// Dashpot given as a share γ of the critical one: 2 γ sqrt(m k), with the contact's k of the moment.
+struct DampingRatio {
+  double value;
+};
+
+using Dissipation = std::variant<Restitution, Damping, DampingRatio>;
 
 /// docs/laws/linear.md. Stiffness in N/m.
 struct LinearNormal {
@@ -29,7 +34,7 @@ struct LinearNormal {
 
 /// docs/laws/hertz.md. The moduli are the materials' own (Material::elasticity).
 struct HertzNormal {
-  Dissipation dissipation;  ///< Restitution only
+  Dissipation dissipation;  ///< Restitution (Tsuji's dashpot), or DampingRatio (Bilock 4.4, 4.6)
 };
 
 using NormalLaw = std::variant<LinearNormal, HertzNormal>;
@@ -77,6 +82,12 @@ enum class SpringTurn {
   project_and_rescale,  ///< the same at its former length (LAMMPS granular)
 };
 
+/// What a tangential spring keeps while the stiffness of its contact changes. The same for a linear contact.
+enum class SpringMemory {
+  displacement,  ///< ζ; the force is k_t of the moment times ζ (LIGGGHTS, LAMMPS gran/hertz/history)
+  force,  ///< k_t ζ while k_t grows, ζ while it falls (Bilock 4.8-4.10; LAMMPS mindlin_rescale/force)
+};
+
 /// docs/laws/history.md. A tangential spring that lives as long as its contact.
 struct HistoryFriction {
   double coefficient;
@@ -84,7 +95,8 @@ struct HistoryFriction {
   double damping_ratio;  ///< η_t/η_n; with HertzNormal the same factor on Mindlin's dashpot
   CoulombLimit limit = CoulombLimit::spring_and_dashpot;
   TorqueArm arm = TorqueArm::radius;
-  SpringTurn turn = SpringTurn::project_and_rescale;
+  SpringTurn turn = SpringTurn::project;
+  SpringMemory memory = SpringMemory::displacement;
 };
 
 using FrictionLaw = std::variant<Frictionless, DynamicFriction, StepFriction, CollisionTimeFriction,
@@ -99,11 +111,28 @@ struct LinearCohesion {
 
 using CohesionLaw = std::variant<NoCohesion, LinearCohesion>;
 
+struct NoRolling {};
+
+/// docs/laws/rolling.md. Constant directional torque: coefficient times effective radius times the elastic
+/// normal force, against the relative spin (LIGGGHTS cdt).
+struct ConstantTorqueRolling {
+  double coefficient;
+};
+
+/// docs/laws/rolling.md. Elastic-plastic rolling spring of stiffness k_t R*², without dashpot, limited by
+/// coefficient times effective radius times the normal force (LIGGGHTS epsd2). Needs HistoryFriction for k_t.
+struct SpringRolling {
+  double coefficient;
+};
+
+using RollingLaw = std::variant<NoRolling, ConstantTorqueRolling, SpringRolling>;
+
 /// Everything that acts between one pair of materials.
 struct ContactLaws {
   NormalLaw normal;
   FrictionLaw friction = Frictionless{};
   CohesionLaw cohesion = NoCohesion{};
+  RollingLaw rolling = NoRolling{};
 };
 
 /// One visitor out of several lambdas, for std::visit over the variants above.

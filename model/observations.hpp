@@ -14,10 +14,11 @@ namespace grainproof {
 /// All particles at one step boundary, in the order of Scene::particles.
 struct Frame {
   std::int64_t step = 0;
-  double time = 0.0;                        ///< s, the frame's own, not the one asked for
-  std::vector<Vec3> position;               ///< m; inside the domain along periodic axes
-  std::vector<Vec3> velocity;               ///< m/s, synchronised with `time`
-  std::vector<Vec3> angular_velocity = {};  ///< rad/s, likewise; empty without rotation
+  double time = 0.0;                         ///< s, the frame's own, not the one asked for
+  std::vector<Vec3> position;                ///< m; inside the domain along periodic axes
+  std::vector<Vec3> velocity;                ///< m/s, synchronised with `time`
+  std::vector<Vec3> angular_velocity = {};   ///< rad/s, likewise; empty without rotation
+  std::vector<Quaternion> orientation = {};  ///< empty unless Scene::orientation asks for it
 };
 
 /// Energy in J and impulse in N s since the start of the run, over all moving particles.
@@ -28,15 +29,19 @@ struct Ledger {
   double cohesive = 0.0;                ///< potential, never positive
   double gravity_work = 0.0;            ///< done on the particles
   double drag_work = 0.0;               ///< done on the particles by the fluid
+  double wall_work = 0.0;               ///< done on the particles by moving walls
   double dissipated_normal = 0.0;       ///< taken out by normal dashpots
   double dissipated_tangential = 0.0;   ///< taken out by friction
+  double dissipated_rolling = 0.0;      ///< taken out by rolling resistance; its spring counts as elastic
   Vec3 support_impulse = Vec3::Zero();  ///< from walls and fixed particles
   Vec3 field_impulse = Vec3::Zero();    ///< from gravity and drag
-  std::vector<Vec3> wall_impulses;      ///< per wall; empty where an engine keeps the sum only
+  std::vector<Vec3> wall_impulses;      ///< from each wall on the particles, in the order of Scene::walls
+  /// N m s, of the same forces about each wall's reference point (model/walls.hpp) at the time they acted.
+  std::vector<Vec3> wall_angular_impulses;
 
   double balance() const {
-    return kinetic + elastic + cohesive - gravity_work - drag_work + dissipated_normal +
-           dissipated_tangential;
+    return kinetic + elastic + cohesive - gravity_work - drag_work - wall_work + dissipated_normal +
+           dissipated_tangential + dissipated_rolling;
   }
 };
 

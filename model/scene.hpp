@@ -26,6 +26,13 @@ struct Domain {
   bool periodic(int axis) const { return boundary[axis] == Boundary::periodic; }
 };
 
+/// How orientations are advanced, docs/laws/rotation.md. Spheres don't feel them: kept only where asked for.
+enum class OrientationUpdate {
+  none,
+  exponential,    ///< the exact turn of a constant spin over the step; unit length kept
+  forward_euler,  ///< q + ½ Δt ω q, as printed by Bilock: first order, and its length grows (E14)
+};
+
 /// In which order the forces on a particle are summed; see docs/determinism.md.
 enum class SumOrder { fast, canonical };
 
@@ -55,6 +62,7 @@ struct Scene {
   Gravity gravity = ConstantGravity{Vec3::Zero()};
   Flow flow = NoFlow{};
   bool rotation = false;  ///< bodies turn; else nothing that has to do with turning is computed
+  OrientationUpdate orientation = OrientationUpdate::none;  ///< needs `rotation`
 };
 
 }  // namespace grainproof
