@@ -10,6 +10,7 @@
 #include "model/integrators.hpp"
 #include "model/materials.hpp"
 #include "model/particle.hpp"
+#include "model/state.hpp"
 #include "model/walls.hpp"
 
 namespace grainproof {
@@ -59,6 +60,8 @@ struct Scene {
   ContactTable contacts;
   std::vector<Particle> particles;  ///< ids unique and increasing
   std::vector<Wall> walls;          ///< walled faces of the domain included
+  /// What contacts remember at the start, sorted by first and second; a contact not named here is new.
+  std::vector<ContactMemory> remembered = {};
   Gravity gravity = ConstantGravity{Vec3::Zero()};
   Flow flow = NoFlow{};
   bool rotation = false;  ///< bodies turn; else nothing that has to do with turning is computed
