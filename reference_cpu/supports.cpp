@@ -37,6 +37,10 @@ bool fits_period(const Rectangle& rectangle, int axis, double period, double ran
   return length >= period || period - length >= range;
 }
 
+bool fits_period(const Cylinder& cylinder, int axis, double, double) {
+  return cylinder.axis.cwiseAbs() == Vec3::Unit(axis);
+}
+
 Support walls_fit_periods(const Scene& scene) {
   const double range = 2.0 * largest_reach(scene);
   for (const Wall& wall : scene.walls)
@@ -46,8 +50,8 @@ Support walls_fit_periods(const Scene& scene) {
       if (std::visit([&](const auto& shape) { return fits_period(shape, axis, period, range); }, wall.shape))
         continue;
       return Support::no("the wall '" + wall.name + "' does not fit the periodic " + axis_names[axis] +
-                         " axis: a plane must lie along it, a rectangle span it or leave a gap as wide as "
-                         "the largest particle");
+                         " axis: a plane must lie along it, a cylinder's axis be parallel to it, a rectangle "
+                         "span it or leave a gap as wide as the largest particle");
     }
   return {};
 }
@@ -123,6 +127,10 @@ Support springs_are_given(const Scene& scene, std::size_t a, std::size_t b) {
   const ContactLaws& laws = scene.contacts.at(a, b);
   const bool hertz = std::holds_alternative<HertzNormal>(laws.normal);
   const auto* history = std::get_if<HistoryFriction>(&laws.friction);
+  if (!std::holds_alternative<NoRolling>(laws.rolling))
+    return Support::no("rolling resistance is not built in");
+  if (history && history->memory == SpringMemory::force)
+    return Support::no("a tangential spring that remembers its force is not built in");
   if (!hertz && history && !(history->stiffness > 0.0))
     return Support::no("friction with history on a linear contact needs a tangential stiffness above zero");
   if (!hertz) return {};
@@ -147,11 +155,21 @@ Support all_springs_are_given(const Scene& scene) {
   return {};
 }
 
+Support nothing_else_is_asked_for(const Scene& scene) {
+  for (const Wall& wall : scene.walls)
+    if (!std::holds_alternative<Still>(wall.motion))
+      return Support::no("the wall '" + wall.name + "' moves, which is not built in");
+  if (scene.orientation != OrientationUpdate::none) return Support::no("orientations are not built in");
+  if (!scene.remembered.empty()) return Support::no("contacts that remember are not built in");
+  return {};
+}
+
 }  // namespace
 
 Support supported(const Scene& scene) {
-  for (const auto& check : {laws_are_given, periods_hold_two_ranges, walls_fit_periods, fixed_particles_rest,
-                            turning_is_asked_for, all_springs_are_given, restitutions_are_reachable})
+  for (const auto& check :
+       {laws_are_given, periods_hold_two_ranges, walls_fit_periods, fixed_particles_rest,
+        turning_is_asked_for, all_springs_are_given, restitutions_are_reachable, nothing_else_is_asked_for})
     if (const Support support = check(scene); !support) return support;
   return {};
 }

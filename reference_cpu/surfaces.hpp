@@ -26,4 +26,14 @@ inline Nearest nearest(const Rectangle& rectangle, const Vec3& position, const P
   return {away / distance, distance};
 }
 
+/// Undefined normal on the axis itself, which is far beyond any overlap limit of a cylinder that holds its
+/// particles.
+inline Nearest nearest(const Cylinder& cylinder, const Vec3& position, const PeriodicBox&) {
+  const Vec3 from_point = position - cylinder.point;
+  const Vec3 outward = from_point - from_point.dot(cylinder.axis) * cylinder.axis;
+  const double from_axis = outward.norm();
+  const double side = cylinder.side == Cylinder::Side::inside ? -1.0 : 1.0;
+  return {outward * (side / from_axis), side * (from_axis - cylinder.radius)};
+}
+
 }  // namespace grainproof::reference

@@ -50,7 +50,10 @@ SpringDashpot spring_dashpot(const LinearNormal& law) {
                           contact.damping_per_root_mass =
                               2.0 * ratio_for(law, given.value) * std::sqrt(law.stiffness);
                         },
-                        [&](const Damping& given) { contact.damping = given.value; }},
+                        [&](const Damping& given) { contact.damping = given.value; },
+                        [&](const DampingRatio& given) {
+                          contact.damping_per_root_mass = 2.0 * given.value * std::sqrt(law.stiffness);
+                        }},
              law.dissipation);
   return contact;
 }
