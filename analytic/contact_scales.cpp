@@ -64,6 +64,8 @@ double effective_mass(double mass_1, double mass_2) {
 
 double damping(const LinearNormal& law, double mass) {
   if (const auto* given = std::get_if<Damping>(&law.dissipation)) return given->value;
+  if (const auto* given = std::get_if<DampingRatio>(&law.dissipation))
+    return 2.0 * given->value * std::sqrt(mass * law.stiffness);
   const double ratio = damping_ratio(std::get<Restitution>(law.dissipation).value, law.no_tension);
   return 2.0 * ratio * std::sqrt(mass * law.stiffness);
 }

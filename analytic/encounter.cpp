@@ -57,6 +57,8 @@ Recognised with_wall(const Scene& scene, const Vec3& gravity) {
   if (sphere.fixed) return no("nothing moves");
   if (!scene.contacts.has(sphere.material, wall.material))
     return no("the sphere and the wall have no contact laws");
+  if (std::holds_alternative<Cylinder>(wall.shape)) return no("the wall is a cylinder");
+  if (!std::holds_alternative<Still>(wall.motion)) return no("the wall moves");
   Encounter e;
   const Face face = face_of(wall.shape, sphere.position);
   if (!(face.distance > 0.0)) return no("the sphere's centre is not in front of the wall");
@@ -110,6 +112,11 @@ Recognised of_pair(const Scene& scene, const Vec3& gravity) {
   return {{}, e};
 }
 
+Recognised without_rolling(Recognised found) {
+  if (!found.support || std::holds_alternative<NoRolling>(found.encounter.laws.rolling)) return found;
+  return no("rolling is resisted");
+}
+
 }  // namespace
 
 double Encounter::cohesion_stiffness() const {
@@ -118,13 +125,17 @@ double Encounter::cohesion_stiffness() const {
 }
 
 Recognised recognise_bodies(const Scene& scene) {
+  if (!scene.remembered.empty()) return no("contacts remember something at the start");
+  if (scene.orientation != OrientationUpdate::none) return no("orientations are asked for");
   if (!std::holds_alternative<NoFlow>(scene.flow)) return no("a fluid acts on the particles");
   const auto* gravity = std::get_if<ConstantGravity>(&scene.gravity);
   if (!gravity) return no("gravity is not constant");
   for (int axis = 0; axis < 3; ++axis)
     if (scene.domain.periodic(axis)) return no("the domain is periodic");
-  if (scene.particles.size() == 1 && scene.walls.size() == 1) return with_wall(scene, gravity->acceleration);
-  if (scene.particles.size() == 2 && scene.walls.empty()) return of_pair(scene, gravity->acceleration);
+  if (scene.particles.size() == 1 && scene.walls.size() == 1)
+    return without_rolling(with_wall(scene, gravity->acceleration));
+  if (scene.particles.size() == 2 && scene.walls.empty())
+    return without_rolling(of_pair(scene, gravity->acceleration));
   return no("found " + std::to_string(scene.particles.size()) + " particles and " +
             std::to_string(scene.walls.size()) + " walls; expected one and one, or two particles alone");
 }

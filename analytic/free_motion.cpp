@@ -71,23 +71,48 @@ bool straight_paths_apart(const Flight& one, const Flight& two, double distance,
   return (from + nearest * drift).norm() > distance;
 }
 
+/// By a box around the path: inside, all its corners; outside, one of its sides across the axis.
+bool clear_of_cylinder(const Flight& flight, const Cylinder& cylinder, double distance, double until) {
+  const Vec3 one = cylinder.axis.unitOrthogonal(), other = cylinder.axis.cross(one);
+  const auto off_axis = [&](const Vec3& direction) {
+    const Interval range = flight.range(direction, until);
+    const double axis = cylinder.point.dot(direction);
+    return Interval{range.low - axis, range.high - axis};
+  };
+  const Interval a = off_axis(one), b = off_axis(other);
+  const auto furthest = [](const Interval& i) { return std::max(std::abs(i.low), std::abs(i.high)); };
+  const auto nearest = [](const Interval& i) { return std::max({0.0, i.low, -i.high}); };
+  if (cylinder.side == Cylinder::Side::inside)
+    return std::hypot(furthest(a), furthest(b)) < cylinder.radius - distance;
+  return std::hypot(nearest(a), nearest(b)) > cylinder.radius + distance;
+}
+
 bool clear_of_wall(const Flight& flight, const WallShape& shape, double distance, double until) {
   const auto beyond = [&](const Vec3& normal, const Vec3& point) {
     return flight.range(normal, until).low - point.dot(normal) > distance;
   };
   if (const auto* plane = std::get_if<Plane>(&shape)) return beyond(plane->normal, plane->point);
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape))
+    return clear_of_cylinder(flight, *cylinder, distance, until);
   const auto& rectangle = std::get<Rectangle>(shape);
   for (int axis = 0; axis < 3; ++axis)
     if (beyond(Vec3::Unit(axis), rectangle.upper) || beyond(-Vec3::Unit(axis), rectangle.lower)) return true;
   return false;
 }
 
+/// Turning within itself, a wall stays where it is.
+bool moves(const Wall& wall) {
+  return std::holds_alternative<Translating>(wall.motion) || std::holds_alternative<Vibrating>(wall.motion);
+}
+
 std::string what_might_meet(const Scene& scene, const std::vector<Flight>& flights, double until) {
   for (std::size_t a = 0; a < flights.size(); ++a) {
     const Particle& one = flights[a].particle();
-    for (const Wall& wall : scene.walls)
+    for (const Wall& wall : scene.walls) {
+      if (!one.fixed && moves(wall)) return "wall " + wall.name + " moves";
       if (!one.fixed && !clear_of_wall(flights[a], wall.shape, 0.5 * one.effect_diameter, until))
         return "particle " + std::to_string(one.id) + " might meet wall " + wall.name;
+    }
     for (std::size_t b = a + 1; b < flights.size(); ++b) {
       const Particle& two = flights[b].particle();
       const double distance = 0.5 * (one.effect_diameter + two.effect_diameter);
@@ -121,6 +146,7 @@ Frame frame_of_flights(const std::vector<Flight>& flights, double time, double s
 }  // namespace
 
 Solution free_motion(const Scene& scene, const Vec3& gravity, const UniformFlow& flow, double until) {
+  if (scene.orientation != OrientationUpdate::none) return Solution::no("orientations are asked for");
   for (int axis = 0; axis < 3; ++axis)
     if (scene.domain.periodic(axis)) return Solution::no("the domain is periodic");
   if (scene.particles.size() > most_particles)

@@ -58,7 +58,10 @@ std::string why_not(const Scene& scene, const Encounter& e) {
 double compliance_ratio(const Scene& scene, const Encounter& e, double spring) {
   if (std::holds_alternative<LinearNormal>(e.laws.normal)) return e.normal_law().stiffness / spring;
   const HertzPair pair = hertz_pair_of(scene, e);
-  return pair.modulus / (6.0 * pair.shear_modulus);
+  const auto* history = std::get_if<HistoryFriction>(&e.laws.friction);
+  // What is kept of the force grows by k_t u alone: two thirds of k_t ζ at first (history.12).
+  const double kept = history && history->memory == SpringMemory::force ? 1.5 : 1.0;
+  return kept * pair.modulus / (6.0 * pair.shear_modulus);
 }
 
 bool elastic(const Scene& scene, const Encounter& e) {
@@ -83,6 +86,8 @@ Solution gross_sliding(const Scene& scene, double until) {
   const Encounter& e = found.encounter;
   if (const std::string because = why_not(scene, e); !because.empty()) return Solution::no(because);
   const bool linear = std::holds_alternative<LinearNormal>(e.laws.normal);
+  if (!linear && hertz_pair_of(scene, e).damping_ratio >= 1.0)
+    return Solution::no("the contact is critically or over-damped");
   const Impact impact = linear ? linear_impact(e) : hertz_impact(scene, e);
   if (!impact.gap) return Solution::no("the contact never ends");
   const Vec3 direction = slip_of(scene, e).normalized();

@@ -32,8 +32,10 @@ double effective_radius(double radius_1, double radius_2) {
 }
 
 double hertz_damping_ratio(const Dissipation& dissipation) {
+  if (const auto* ratio = std::get_if<DampingRatio>(&dissipation)) return ratio->value * std::sqrt(1.2);
   const auto* restitution = std::get_if<Restitution>(&dissipation);
-  if (!restitution) throw InputRefused("found a Hertz contact with a dashpot; expected its restitution");
+  if (!restitution)
+    throw InputRefused("found a Hertz contact with a dashpot; expected its restitution or damping ratio");
   if (!(restitution->value > 0.0 && restitution->value <= 1.0))
     throw InputRefused("found restitution " + std::to_string(restitution->value) +
                        " of a Hertz contact; expected more than 0 and at most 1");

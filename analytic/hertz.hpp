@@ -18,7 +18,8 @@ double mindlin_modulus(const Elasticity& one, const Elasticity& other);
 /// R* in m (hertz.3); an infinite radius, a wall's, leaves the other.
 double effective_radius(double radius_1, double radius_2);
 
-/// Ratio β of a dashpot that rebounds with this restitution (hertz.6). Throws InputRefused outside (0, 1].
+/// Ratio β of a dashpot that rebounds with this restitution (hertz.6), or that is this share of the
+/// critical one (hertz.14). Throws InputRefused for a restitution outside (0, 1], and for a plain dashpot.
 double hertz_damping_ratio(const Dissipation& dissipation);
 
 /// A pair that meets by Hertz' law.

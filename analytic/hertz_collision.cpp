@@ -39,6 +39,7 @@ Solution hertz_collision(const Scene& scene, double) {
   if (const std::string because = why_not(scene, e); !because.empty()) return Solution::no(because);
   const double speed = -e.gap.velocity, onset = e.gap.position / speed;
   const HertzPair pair = hertz_pair_of(scene, e);
+  if (pair.damping_ratio >= 1.0) return Solution::no("the contact is critically or over-damped");
   const HertzPassage passage(pair, speed);
   Solution solution;
   solution.frame_at = [scene, e, passage, onset, speed](double time) {

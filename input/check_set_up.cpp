@@ -46,7 +46,7 @@ void check_inside(const SetUp& set_up) {
   }
 }
 
-void check_walls(const SetUp& set_up) {
+void check_clear_of_walls(const SetUp& set_up) {
   for (std::size_t i = 0; i < set_up.scene.particles.size(); ++i) {
     const Particle& particle = set_up.scene.particles[i];
     const double radius = 0.5 * particle.diameter;
@@ -118,6 +118,7 @@ void check_set_up(const SetUp& set_up, const Document& document) {
   check_periodic(set_up, document);
   check_inside(set_up);
   check_walls(set_up);
+  check_clear_of_walls(set_up);
   check_overlaps(set_up);
   check_pairs_of_materials(set_up);
   check_impact_speed(set_up, document);

@@ -21,6 +21,13 @@ constexpr std::pair<std::string_view, TorqueArm> arms[] = {{"radius", TorqueArm:
 constexpr std::pair<std::string_view, SpringTurn> turns[] = {
     {"project", SpringTurn::project}, {"project_and_rescale", SpringTurn::project_and_rescale}};
 
+constexpr std::pair<std::string_view, SpringMemory> memories[] = {
+    {"displacement", SpringMemory::displacement}, {"force", SpringMemory::force}};
+
+enum class RollingKind { constant_torque, spring };
+constexpr std::pair<std::string_view, RollingKind> rolling_laws[] = {
+    {"constant_torque", RollingKind::constant_torque}, {"spring", RollingKind::spring}};
+
 enum class NormalKind { linear, hertz };
 constexpr std::pair<std::string_view, NormalKind> normal_laws[] = {{"linear", NormalKind::linear},
                                                                    {"hertz", NormalKind::hertz}};
@@ -28,11 +35,21 @@ constexpr std::pair<std::string_view, NormalKind> normal_laws[] = {{"linear", No
 enum class OnlyLinear { linear };
 constexpr std::pair<std::string_view, OnlyLinear> linear_laws[] = {{"linear", OnlyLinear::linear}};
 
+/// Refuses a second way of saying what the dashpot is.
+void check_one_dashpot(const Table& table) {
+  std::optional<Node> first;
+  for (const std::string_view key : {"restitution", "damping", "damping_ratio"}) {
+    const auto node = table.find(key);
+    if (first && node)
+      node->refuse("either " + std::string(first->name()) + " or " + std::string(key) + ", not both");
+    if (node) first = node;
+  }
+}
+
 Dissipation read_dissipation(const Table& table, bool no_tension) {
-  const auto restitution = table.find("restitution");
-  const auto damping = table.find("damping");
-  if (restitution && damping) damping->refuse("either restitution or damping, not both");
-  if (damping) return Damping{damping->not_negative()};
+  check_one_dashpot(table);
+  if (const auto damping = table.find("damping")) return Damping{damping->not_negative()};
+  if (const auto ratio = table.find("damping_ratio")) return DampingRatio{ratio->not_negative()};
   const Node given = table.at("restitution");
   const double value = given.number_within(0.0, 1.0);
   if (no_tension && value == 0.0)
@@ -42,12 +59,14 @@ Dissipation read_dissipation(const Table& table, bool no_tension) {
 
 /// `between`: the two materials, each of which must say how it deforms.
 HertzNormal read_hertz(const Table& table, std::initializer_list<const Material*> between) {
-  table.only({"law", "restitution"});
+  table.only({"law", "restitution", "damping_ratio"});
   for (const Material* material : between)
     if (!material->elasticity)
       table.at("law").refuse(
           "law = \"hertz\" with material " + material->name + ", whose elasticity is not given",
           "youngs_modulus and poisson_ratio of " + material->name);
+  check_one_dashpot(table);
+  if (const auto ratio = table.find("damping_ratio")) return {DampingRatio{ratio->not_negative()}};
   const Node given = table.at("restitution");
   const double value = given.number_within(0.0, 1.0);
   if (value == 0.0) given.refuse("more than 0, since such a contact would never end");
@@ -56,7 +75,7 @@ HertzNormal read_hertz(const Table& table, std::initializer_list<const Material*
 
 NormalLaw read_normal(const Table& table, std::initializer_list<const Material*> between) {
   if (table.at("law").choice(normal_laws) == NormalKind::hertz) return read_hertz(table, between);
-  table.only({"law", "stiffness", "restitution", "damping", "no_tension"});
+  table.only({"law", "stiffness", "restitution", "damping", "damping_ratio", "no_tension"});
   const bool no_tension = table.boolean("no_tension", false);
   return LinearNormal{table.at("stiffness").positive(), read_dissipation(table, no_tension), no_tension};
 }
@@ -68,13 +87,14 @@ double read_tangential_stiffness(const Table& table, bool hertz) {
 }
 
 HistoryFriction read_history(const Table& table, bool hertz) {
-  table.only({"law", "coefficient", "stiffness", "damping_ratio", "limit", "arm", "turn"});
+  table.only({"law", "coefficient", "stiffness", "damping_ratio", "limit", "arm", "turn", "memory"});
   const auto ratio = table.find("damping_ratio");
   HistoryFriction friction{table.at("coefficient").not_negative(), read_tangential_stiffness(table, hertz),
                            ratio ? ratio->not_negative() : 0.0};
   if (const auto limit = table.find("limit")) friction.limit = limit->choice(limits);
   if (const auto arm = table.find("arm")) friction.arm = arm->choice(arms);
   if (const auto turn = table.find("turn")) friction.turn = turn->choice(turns);
+  if (const auto memory = table.find("memory")) friction.memory = memory->choice(memories);
   return friction;
 }
 
@@ -102,8 +122,20 @@ CohesionLaw read_cohesion(const Table& table) {
   return LinearCohesion{table.at("stiffness").positive()};
 }
 
+RollingLaw read_rolling(const Table& table, const FrictionLaw& friction, bool rotation) {
+  const Node law = table.at("law");
+  const RollingKind kind = law.choice(rolling_laws);
+  table.only({"law", "coefficient"});
+  if (!rotation) table.whole().refuse("rolling in a scene without rotation", "rotation = true in [bodies]");
+  const double coefficient = table.at("coefficient").not_negative();
+  if (kind == RollingKind::constant_torque) return ConstantTorqueRolling{coefficient};
+  if (!std::holds_alternative<HistoryFriction>(friction))
+    law.refuse("rolling on a spring without friction that has one", "friction = { law = \"history\", … }");
+  return SpringRolling{coefficient};
+}
+
 void read_contact(const Table& table, Scene& scene) {
-  table.only({"between", "normal", "friction", "cohesion"});
+  table.only({"between", "normal", "friction", "cohesion", "rolling"});
   const Node between = table.at("between");
   const auto names = between.elements();
   if (names.size() != 2) between.refuse("the names of two materials");
@@ -111,10 +143,12 @@ void read_contact(const Table& table, Scene& scene) {
   const auto b = static_cast<std::size_t>(read_material_name(names[1], scene));
   if (scene.contacts.has(a, b)) between.refuse("between = " + between.label() + " again", "each pair once");
   ContactLaws laws{
-      read_normal(table.at("normal").table(), {&scene.materials[a], &scene.materials[b]}), {}, {}};
+      read_normal(table.at("normal").table(), {&scene.materials[a], &scene.materials[b]}), {}, {}, {}};
   const bool hertz = std::holds_alternative<HertzNormal>(laws.normal);
   if (const auto friction = table.find("friction")) laws.friction = read_friction(friction->table(), hertz);
   if (const auto cohesion = table.find("cohesion")) laws.cohesion = read_cohesion(cohesion->table());
+  if (const auto rolling = table.find("rolling"))
+    laws.rolling = read_rolling(rolling->table(), laws.friction, scene.rotation);
   scene.contacts.set(a, b, laws);
 }
 

@@ -18,7 +18,8 @@ void add_face(Scene& scene, int axis, bool upper, std::int32_t material) {
   const char axes[] = {'x', 'y', 'z'};
   const Vec3 normal = (upper ? -1.0 : 1.0) * Vec3::Unit(axis);
   const std::string name = std::string("domain:") + axes[axis] + (upper ? "-upper" : "-lower");
-  scene.walls.push_back({name, material, Plane{upper ? scene.domain.upper : scene.domain.lower, normal}});
+  scene.walls.push_back(
+      {name, material, Plane{upper ? scene.domain.upper : scene.domain.lower, normal}, Still{}});
 }
 
 }  // namespace

@@ -14,12 +14,14 @@ namespace {
 class Expansion {
  public:
   Expansion(const Sweep& sweep, const Reading& reading, const std::vector<Rotation>& rotations,
-            const SetUp& set_up, std::map<std::string, std::string> values, std::vector<ResolvedScene>& out)
+            const SetUp& set_up, std::map<std::string, std::string> values, int first_sample,
+            std::vector<ResolvedScene>& out)
       : sweep_(sweep),
         reading_(reading),
         rotations_(rotations),
         set_up_(set_up),
         values_(std::move(values)),
+        first_sample_(first_sample),
         contact_(shortest_contact_of(set_up)),
         out_(out) {
     if (sweep_.onset) check_touching(set_up_.scene, *sweep_.onset);
@@ -52,7 +54,7 @@ class Expansion {
   }
 
   void over_rotations(const Scene& scene, const StepWish& wish, const StabilityGuard& guard) {
-    int sample = 0;
+    int sample = first_sample_;
     for (const Rotation& rotation : rotations_) {
       Scene turned = scene;
       if (sweep_.orientations) {
@@ -82,6 +84,7 @@ class Expansion {
   const std::vector<Rotation>& rotations_;
   SetUp set_up_;
   std::map<std::string, std::string> values_;
+  int first_sample_;
   std::optional<double> contact_;
   std::vector<ResolvedScene>& out_;
 };
@@ -123,13 +126,18 @@ std::vector<ResolvedScene> expand(Document& document, const Sweep& sweep, const 
       document.replaced[sweep.numbers[i].target] = &value.raw();
       values[sweep.numbers[i].path] = value.label();
     }
-    const SetUp set_up = read_set_up(document, reading);
-    if (!set_up.step && sweep.steps.empty()) (void)file.at("run").table().at("step");
-    check_particles(file, sweep, set_up, reading.options);
-    if (out.empty()) out.reserve(static_cast<std::size_t>(sweep.size()));
-    Expansion(sweep, reading, rotations, set_up, std::move(values), out).over_integrators();
+    for (int seeding = 0; seeding < sweep.seedings(); ++seeding) {
+      document.seed_shift = seeding;
+      const SetUp set_up = read_set_up(document, reading);
+      if (!set_up.step && sweep.steps.empty()) (void)file.at("run").table().at("step");
+      check_particles(file, sweep, set_up, reading.options);
+      if (out.empty()) out.reserve(static_cast<std::size_t>(sweep.size()));
+      Expansion(sweep, reading, rotations, set_up, values, seeding * sweep.rotations() * sweep.phases(), out)
+          .over_integrators();
+    }
   } while (advance(at, sweep.numbers));
   document.replaced.clear();
+  document.seed_shift = 0;
   return out;
 }
 

@@ -8,8 +8,10 @@
 namespace grainproof::input {
 namespace {
 
-constexpr std::pair<std::string_view, Statistic> statistics[] = {
-    {"maximum", Statistic::maximum}, {"rms", Statistic::rms}, {"mean", Statistic::mean}};
+constexpr std::pair<std::string_view, Statistic> statistics[] = {{"maximum", Statistic::maximum},
+                                                                 {"rms", Statistic::rms},
+                                                                 {"mean", Statistic::mean},
+                                                                 {"band", Statistic::band}};
 
 enum class Ending { refused, went_wrong };
 constexpr std::pair<std::string_view, Ending> endings[] = {{"refused", Ending::refused},
@@ -51,7 +53,11 @@ std::vector<std::string> read_engines(const Node& node) {
 void read_claim(const Table& table, Expectation& out) {
   out.quantity = table.at("quantity").text();
   out.against = read_against(table.at("against"));
-  if (const auto statistic = table.find("statistic")) out.statistic = statistic->choice(statistics);
+  if (const auto statistic = table.find("statistic")) {
+    out.statistic = statistic->choice(statistics);
+    if (out.statistic == Statistic::band && !out.against.starts_with("engine:"))
+      statistic->refuse("a band against " + in_quotes(out.against), "against = \"engine:NAME\"");
+  }
   if (const auto below = table.find("below")) out.below = read_below(*below);
   if (const auto order = table.find("order")) out.order = read_order(order->table());
   if (const auto ulps = table.find("ulps")) out.ulps = ulps->not_negative();

@@ -34,8 +34,8 @@ class CsvReader {
     for (const char* axis : {"x", "y", "z"})
       if (!columns_.contains(axis))
         refuse(0, "no column " + in_quotes(axis), "a header line with x, y and z");
-    if (has("vx") != has("vy") || has("vx") != has("vz"))
-      refuse(0, "a velocity with a component missing", "vx, vy and vz, or none of them");
+    check_three("vx", "vy", "vz", "a velocity");
+    check_three("wx", "wy", "wz", "an angular velocity");
   }
 
   bool next() {
@@ -63,6 +63,12 @@ class CsvReader {
     return value;
   }
 
+  double diameter() const {
+    const double value = number("d");
+    if (!(value > 0.0)) refuse(columns_.at("d"), "d " + shortest(value), "a number above 0");
+    return value;
+  }
+
   std::int64_t id() const {
     const double value = number("id");
     if (!(value >= 1.0 && value <= static_cast<double>(largest_id) && value == std::floor(value)))
@@ -71,8 +77,14 @@ class CsvReader {
   }
 
  private:
+  void check_three(const char* x, const char* y, const char* z, const std::string& what) const {
+    if (has(x) == has(y) && has(x) == has(z)) return;
+    refuse(0, what + " with a component missing",
+           std::string(x) + ", " + y + " and " + z + ", or none of them");
+  }
+
   void check_column(std::size_t at) {
-    const std::vector<std::string_view> known{"id", "x", "y", "z", "vx", "vy", "vz"};
+    const std::vector<std::string_view> known{"id", "x", "y", "z", "d", "vx", "vy", "vz", "wx", "wy", "wz"};
     if (std::find(known.begin(), known.end(), header_[at]) == known.end())
       refuse(at, "unknown column " + in_quotes(header_[at]), meant(header_[at], known));
     if (!columns_.emplace(header_[at], at).second)
@@ -112,6 +124,8 @@ std::vector<Filled> fill_from_file(const Table& table, const std::filesystem::pa
       path_node.refuse("more than " + std::to_string(largest) + " particles", "fewer");
     Filled particle{{csv.number("x"), csv.number("y"), csv.number("z")}, {}, {}};
     if (moving) particle.velocity = Vec3(csv.number("vx"), csv.number("vy"), csv.number("vz"));
+    if (csv.has("wx")) particle.angular_velocity = Vec3(csv.number("wx"), csv.number("wy"), csv.number("wz"));
+    if (csv.has("d")) particle.diameter = csv.diameter();
     if (csv.has("id")) particle.id = csv.id();
     filled.push_back(particle);
   }

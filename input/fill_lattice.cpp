@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/fills.hpp"
-#include "input/uniform.hpp"
 
 namespace grainproof::input {
 namespace {
@@ -41,20 +40,21 @@ void jitter(std::vector<Filled>& filled, double amplitude, std::int64_t seed) {
 
 }  // namespace
 
-std::vector<Filled> fill_lattice(const Table& table, double diameter, std::size_t largest) {
+std::vector<Filled> fill_lattice(const Table& table, Diameters& diameters, std::size_t largest) {
   table.only({"kind", "counts", "origin", "spacing", "jitter", "seed"});
   const auto spacing = table.find("spacing");
   const Lattice lattice{read_counts(table.at("counts"), largest), table.at("origin").vector(),
-                        spacing ? read_spacing(*spacing) : Vec3::Constant(diameter)};
+                        spacing ? read_spacing(*spacing) : Vec3::Constant(diameters.most())};
   std::vector<Filled> filled;
   for (std::int64_t z = 0; z < lattice.counts[2]; ++z)
     for (std::int64_t y = 0; y < lattice.counts[1]; ++y)
       for (std::int64_t x = 0; x < lattice.counts[0]; ++x) {
         const Vec3 cell(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
-        filled.push_back({lattice.origin + cell.cwiseProduct(lattice.spacing), {}, {}});
+        filled.push_back(
+            {lattice.origin + cell.cwiseProduct(lattice.spacing), {}, {}, Vec3::Zero(), diameters.next()});
       }
   if (const auto amplitude = table.find("jitter"))
-    jitter(filled, amplitude->not_negative(), table.at("seed").integer_within(0, largest_seed));
+    jitter(filled, amplitude->not_negative(), table.at("seed").seed());
   return filled;
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/fills.hpp"
 #include "input/sphere_grid.hpp"
-#include "input/uniform.hpp"
 
 namespace grainproof::input {
 namespace {
@@ -30,20 +29,20 @@ Region read_region(const Table& table, const Domain& domain, double radius) {
 /// Puts spheres down one after the other wherever they touch nothing (random sequential addition).
 class Placer {
  public:
+  /// `diameter`: of the largest that will be placed.
   Placer(const Scene& scene, double diameter, double gap, std::size_t count)
       : scene_(scene),
-        radius_(0.5 * diameter),
         gap_(gap),
         reach_(largest_diameter(scene, diameter) + gap),
         grid_(scene.domain, reach_, count + scene.particles.size()) {
     for (const Particle& particle : scene.particles) add(particle.position, 0.5 * particle.diameter);
   }
 
-  bool try_place(const Vec3& position) {
+  bool try_place(const Vec3& position, double radius) {
     for (const Wall& wall : scene_.walls)
-      if (distance_to(wall.shape, position) < radius_ + gap_) return false;
-    if (hits(position)) return false;
-    add(position, radius_);
+      if (distance_to(wall.shape, position) < radius + gap_) return false;
+    if (hits(position, radius)) return false;
+    add(position, radius);
     return true;
   }
 
@@ -53,10 +52,10 @@ class Placer {
     return diameter;
   }
 
-  bool hits(const Vec3& position) const {
+  bool hits(const Vec3& position, double radius) const {
     return grid_.any_near(position, [&](std::size_t other) {
       const double apart = nearest_image(scene_.domain, positions_[other], position).norm();
-      return apart < radius_ + radii_[other] + gap_;
+      return apart < radius + radii_[other] + gap_;
     });
   }
 
@@ -67,7 +66,6 @@ class Placer {
   }
 
   const Scene& scene_;
-  double radius_;
   double gap_;
   double reach_;
   SphereGrid grid_;
@@ -77,13 +75,14 @@ class Placer {
 
 constexpr int most_attempts = 1000;
 
-bool place_one(Placer& placer, const Region& region, Uniform& uniform, std::vector<Filled>& filled) {
+bool place_one(Placer& placer, const Region& region, double diameter, Uniform& uniform,
+               std::vector<Filled>& filled) {
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     Vec3 position;
     for (int axis = 0; axis < 3; ++axis)
       position[axis] = region.lower[axis] + uniform() * (region.upper[axis] - region.lower[axis]);
-    if (!placer.try_place(position)) continue;
-    filled.push_back({position, {}, {}});
+    if (!placer.try_place(position, 0.5 * diameter)) continue;
+    filled.push_back({position, {}, {}, Vec3::Zero(), diameter});
     return true;
   }
   return false;
@@ -91,19 +90,19 @@ bool place_one(Placer& placer, const Region& region, Uniform& uniform, std::vect
 
 }  // namespace
 
-std::vector<Filled> fill_random(const Table& table, double diameter, const Scene& scene,
+std::vector<Filled> fill_random(const Table& table, Diameters& diameters, const Scene& scene,
                                 std::size_t largest) {
   table.only({"kind", "count", "lower", "upper", "gap", "seed"});
   const Node count_node = table.at("count");
   const auto count =
       static_cast<std::size_t>(count_node.integer_within(1, static_cast<std::int64_t>(largest)));
-  const Region region = read_region(table, scene.domain, 0.5 * diameter);
+  const Region region = read_region(table, scene.domain, 0.5 * diameters.most());
   const auto gap = table.find("gap");
-  Placer placer(scene, diameter, gap ? gap->not_negative() : 0.0, count);
-  Uniform uniform(table.at("seed").integer_within(0, largest_seed));
+  Placer placer(scene, diameters.most(), gap ? gap->not_negative() : 0.0, count);
+  Uniform uniform(table.at("seed").seed());
   std::vector<Filled> filled;
   while (filled.size() < count)
-    if (!place_one(placer, region, uniform, filled))
+    if (!place_one(placer, region, diameters.next(), uniform, filled))
       count_node.refuse(count_node.described() + " particles that don't fit: after " +
                             std::to_string(filled.size()) + " no place was found in " +
                             std::to_string(most_attempts) + " attempts",

@@ -7,6 +7,11 @@ namespace grainproof::input {
 
 namespace {
 
+constexpr std::pair<std::string_view, OrientationUpdate> orientations[] = {
+    {"none", OrientationUpdate::none},
+    {"exponential", OrientationUpdate::exponential},
+    {"forward_euler", OrientationUpdate::forward_euler}};
+
 std::optional<Elasticity> read_elasticity(const Table& table) {
   const auto modulus = table.find("youngs_modulus");
   const auto ratio = table.find("poisson_ratio");
@@ -22,8 +27,13 @@ std::optional<Elasticity> read_elasticity(const Table& table) {
 }  // namespace
 
 void read_bodies(const Table& table, Scene& scene) {
-  table.only({"rotation"});
+  table.only({"rotation", "orientation"});
   scene.rotation = table.boolean("rotation", false);
+  const auto orientation = table.find("orientation");
+  if (!orientation) return;
+  scene.orientation = orientation->choice(orientations);
+  if (!scene.rotation && scene.orientation != OrientationUpdate::none)
+    orientation->refuse("orientation in a scene without rotation", "rotation = true beside it");
 }
 
 void read_materials(const Table& table, Scene& scene) {

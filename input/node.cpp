@@ -28,7 +28,7 @@ std::string described_value(const toml::node& node) {
 
 Document parse(const std::string& text, const std::string& name) {
   try {
-    return {name, toml::parse(std::string_view(text), std::string_view(name)), {}};
+    return {name, toml::parse(std::string_view(text), std::string_view(name)), {}, 0};
   } catch (const toml::parse_error& error) {
     refuse_at(name, error.source().begin, "a syntax error (" + std::string(error.description()) + ")",
               "TOML 1.0");
@@ -108,6 +108,10 @@ std::int64_t Node::integer_within(std::int64_t least, std::int64_t most) const {
   if (value == nullptr || value->get() < least || value->get() > most)
     refuse("a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   return value->get();
+}
+
+std::int64_t Node::seed() const {
+  return integer_within(0, largest_seed) + document_->seed_shift;
 }
 
 std::string Node::text() const {

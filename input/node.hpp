@@ -23,7 +23,11 @@ struct Document {
   std::string name;
   toml::table tree;
   std::map<const toml::node*, const toml::node*> replaced;
+  std::int64_t seed_shift = 0;  ///< added to every seed of the scene: the sample of a sweep over seeds
 };
+
+/// Whole numbers that a double, and so JSON, holds exactly.
+constexpr std::int64_t largest_seed = std::int64_t{1} << 53;
 
 /// Throws InputRefused where the text is not TOML.
 Document parse(const std::string& text, const std::string& name);
@@ -48,6 +52,7 @@ class Node {
   double not_negative() const;
   double number_within(double least, double most) const;
   std::int64_t integer_within(std::int64_t least, std::int64_t most) const;
+  std::int64_t seed() const;  ///< of a scene's random numbers
   std::string text() const;
   Vec3 vector() const;
   Table table() const;

@@ -20,8 +20,11 @@ using input::WrittenExpectation;
 
 constexpr std::int64_t schema = 1;
 
+constexpr std::pair<std::string_view, Tier> tiers[] = {
+    {"quick", Tier::quick}, {"standard", Tier::standard}, {"bulk", Tier::bulk}};
+
 void check_top(const Table& file) {
-  file.only({"schema", "title", "run", "domain", "bodies", "material", "contact", "particles", "wall",
+  file.only({"schema", "title", "tier", "run", "domain", "bodies", "material", "contact", "particles", "wall",
              "field", "sweep", "expect", "verify"});
   file.at("schema").integer_within(schema, schema);
 }
@@ -58,6 +61,7 @@ Case read_case_text(const std::string& text, const std::filesystem::path& name, 
   read.name = name.stem().string();
   const auto title = file.find("title");
   read.title = title ? title->text() : read.name;
+  if (const auto tier = file.find("tier")) read.tier = tier->choice(tiers);
   read.no_peers_because = read_no_peers(file);
   const auto expect = file.find("expect");
   const auto written = read_expectations(expect ? expect->tables() : std::vector<input::Node>{});

@@ -37,7 +37,7 @@ SetUp read_set_up(const Document& document, const Reading& reading) {
   if (const auto materials = file.find("material")) read_materials(materials->table(), set_up.scene);
   read_contacts(tables_of(file, "contact"), set_up.scene);
   read_domain_walls(file.at("domain").table(), set_up.scene);
-  read_walls(tables_of(file, "wall"), set_up.scene);
+  read_walls(tables_of(file, "wall"), set_up);
   read_particles(tables_of(file, "particles"), reading, set_up);
   if (const auto field = file.find("field")) read_field(field->table(), set_up.scene);
   check_set_up(set_up, document);

@@ -41,6 +41,7 @@ struct SetUp {
   std::optional<double> impact_speed;  ///< m/s, that Hertz contacts' durations are taken at
   bool beyond_stability = false;
   std::vector<Group> groups;
+  std::vector<Node> walls;  ///< the [[wall]] tables; those walls are the last of the scene's
 };
 
 /// Where a particle was written.
@@ -62,7 +63,7 @@ void read_domain_walls(const Table& table, Scene& scene);  ///< needs the materi
 void read_bodies(const Table& table, Scene& scene);
 void read_materials(const Table& table, Scene& scene);
 void read_contacts(const std::vector<Node>& tables, Scene& scene);  ///< needs the materials
-void read_walls(const std::vector<Node>& tables, Scene& scene);
+void read_walls(const std::vector<Node>& tables, SetUp& set_up);
 void read_particles(const std::vector<Node>& tables, const Reading& reading, SetUp& set_up);
 void read_field(const Table& table, Scene& scene);
 
@@ -71,6 +72,9 @@ std::int32_t read_material_name(const Node& node, const Scene& scene);
 
 /// Refuses moving particles whose material can meet one that it has no laws with.
 void check_pairs_of_materials(const SetUp& set_up);
+
+/// Refuses cylinders that particles don't fit into, and walls that a periodic face cuts.
+void check_walls(const SetUp& set_up);
 
 /// Refuses what no single table can see: particles outside, too deep in each other or in a wall, same
 /// ids, pairs without laws, a periodic box that is too small, Hertz contacts without a speed.

@@ -68,6 +68,11 @@ Vec3 nearest_image(const Domain& domain, const Vec3& from, const Vec3& to) {
 
 double distance_to(const WallShape& shape, const Vec3& point) {
   if (const auto* plane = std::get_if<Plane>(&shape)) return (point - plane->point).dot(plane->normal);
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+    const double from_axis = cylinder->axis.cross(point - cylinder->point).norm();
+    return cylinder->side == Cylinder::Side::inside ? cylinder->radius - from_axis
+                                                    : from_axis - cylinder->radius;
+  }
   const auto& rectangle = std::get<Rectangle>(shape);
   return (point - point.cwiseMax(rectangle.lower).cwiseMin(rectangle.upper)).norm();
 }

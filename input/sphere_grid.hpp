@@ -55,7 +55,7 @@ class SphereGrid {
 /// From one centre to another, to the nearest image along periodic axes.
 Vec3 nearest_image(const Domain& domain, const Vec3& from, const Vec3& to);
 
-/// From a wall's surface to a point: negative behind a plane.
+/// From a wall's surface to a point: negative behind a plane and in a cylinder's solid.
 double distance_to(const WallShape& shape, const Vec3& point);
 
 }  // namespace grainproof::input

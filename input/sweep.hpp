@@ -22,6 +22,12 @@ struct Orientations {
   Node place;
 };
 
+/// Samples that differ in every seed of the scene.
+struct Seeds {
+  int samples;
+  Node place;
+};
+
 /// One number of the scene, and what stands in its place in turn.
 struct NumberSweep {
   std::string path;
@@ -40,11 +46,13 @@ struct Sweep {
   std::optional<Node> step_dither;
   std::optional<Onset> onset;
   std::optional<Orientations> orientations;
+  std::optional<Seeds> seeds;
   std::vector<IntegratorSweep> integrators;
   std::vector<Node> offsets;
   std::vector<NumberSweep> numbers;
 
   int phases() const { return onset ? onset->phases : 1; }
+  int seedings() const { return seeds ? seeds->samples : 1; }
   int rotations() const { return orientations ? orientations->samples : 1; }
 
   /// Scenes that it expands to; as a double, which no product of lists overflows.

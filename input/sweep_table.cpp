@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "input/fills.hpp"
+#include <algorithm>
+
 #include "input/sweep.hpp"
 
 namespace grainproof::input {
@@ -50,12 +51,30 @@ void read_numbers(const Node& node, const Document& document, Sweep& sweep) {
   for (const Node& value : sweep.numbers.back().values) (void)value.number();
 }
 
+/// Whether anything below a table is drawn at random.
+bool has_seed(const toml::node& node) {
+  if (const auto* array = node.as_array())
+    return std::any_of(array->begin(), array->end(), [](const toml::node& one) { return has_seed(one); });
+  const auto* table = node.as_table();
+  return table &&
+         (table->contains("seed") || std::any_of(table->begin(), table->end(),
+                                                 [](const auto& entry) { return has_seed(entry.second); }));
+}
+
+Seeds read_seeds(const Node& node, const Document& document) {
+  const auto samples = static_cast<int>(node.integer_within(1, most_samples));
+  const auto* particles = document.tree.get("particles");
+  if (!particles || !has_seed(*particles)) node.refuse("seeds in a scene without a seed", "a seed to vary");
+  return {samples, node};
+}
+
 void read_key(const Node& node, const Document& document, Sweep& sweep) {
   if (node.name() == "step") return read_steps(node, sweep);
   if (node.name() == "step_dither") return read_dither(node, sweep);
   if (node.name() == "onset") return void(sweep.onset = read_onset(node));
   if (node.name() == "integrator") return read_integrators(node, sweep);
   if (node.name() == "orientation") return void(sweep.orientations = read_orientations(node));
+  if (node.name() == "seeds") return void(sweep.seeds = read_seeds(node, document));
   if (node.name() == "offset") return read_offsets(node, sweep);
   read_numbers(node, document, sweep);
 }
@@ -86,7 +105,7 @@ double Sweep::size() const {
   double product =
       at_least_once(steps.size()) * at_least_once(integrators.size()) * at_least_once(offsets.size());
   for (const NumberSweep& number : numbers) product *= at_least_once(number.values.size());
-  return product * phases() * rotations();
+  return product * phases() * rotations() * seedings();
 }
 
 }  // namespace grainproof::input

@@ -28,7 +28,8 @@ void refuse_unrotatable(const Scene& scene, const Node& place) {
     if (boundary != Boundary::open) place.refuse("orientation in a domain that is not open", "open faces");
   for (const Wall& wall : scene.walls)
     if (std::holds_alternative<Rectangle>(wall.shape))
-      place.refuse("orientation with the rectangle " + wall.name, "planes, which can be turned");
+      place.refuse("orientation with the rectangle " + wall.name,
+                   "planes and cylinders, which can be turned");
   if (std::holds_alternative<RotatingGravity>(scene.gravity) ||
       std::holds_alternative<TaylorGreenFlow>(scene.flow))
     place.refuse("orientation with a field that is bound to the axes",
@@ -59,6 +60,7 @@ void shift(Scene& scene, const Vec3& offset, const Node& place) {
   for (Particle& particle : scene.particles) particle.position += offset;
   for (Wall& wall : scene.walls)
     std::visit(Overloaded{[&](Plane& plane) { plane.point += offset; },
+                          [&](Cylinder& cylinder) { cylinder.point += offset; },
                           [&](Rectangle& rectangle) {
                             rectangle.lower += offset;
                             rectangle.upper += offset;
@@ -77,8 +79,16 @@ void rotate(Scene& scene, const Rotation& rotation, const Node& place) {
     particle.angular_velocity = rotation * particle.angular_velocity;
   }
   for (Wall& wall : scene.walls) {
-    auto& plane = std::get<Plane>(wall.shape);
-    plane = {turned(plane.point), (rotation * plane.normal).normalized()};
+    if (auto* plane = std::get_if<Plane>(&wall.shape))
+      *plane = {turned(plane->point), (rotation * plane->normal).normalized()};
+    if (auto* cylinder = std::get_if<Cylinder>(&wall.shape)) {
+      cylinder->point = turned(cylinder->point);
+      cylinder->axis = (rotation * cylinder->axis).normalized();
+    }
+    if (auto* translating = std::get_if<Translating>(&wall.motion))
+      translating->velocity = rotation * translating->velocity;
+    if (auto* vibrating = std::get_if<Vibrating>(&wall.motion))
+      vibrating->amplitude = rotation * vibrating->amplitude;
   }
   if (auto* constant = std::get_if<ConstantGravity>(&scene.gravity))
     constant->acceleration = rotation * constant->acceleration;

@@ -52,13 +52,13 @@ struct StepFriction {
   double stiffness;
 };
 
-/// Static displacement |u_t| π sqrt(m/k_e) (Andrews 2.3).
+/// Static displacement |u_t| π sqrt(m/k_e) (Andrews 2.2).
 struct CollisionTimeFriction {
   double coefficient;
   double stiffness;
 };
 
-/// As CollisionTimeFriction, plus the normal dashpot's η u_t (Andrews 2.4).
+/// As CollisionTimeFriction, plus the normal dashpot's η u_t (Andrews 2.3).
 struct DampedFriction {
   double coefficient;
   double stiffness;

@@ -51,7 +51,7 @@ TEST(HistoryFriction, HasTheModelsVariantByDefaultAndNoDashpot) {
   EXPECT_EQ(law.damping_ratio, 0.0);
   EXPECT_EQ(law.limit, CoulombLimit::spring_and_dashpot);
   EXPECT_EQ(law.arm, TorqueArm::radius);
-  EXPECT_EQ(law.turn, SpringTurn::project_and_rescale);
+  EXPECT_EQ(law.turn, SpringTurn::project);
 }
 
 TEST(HistoryFriction, IsReadKeyByKey) {

@@ -37,8 +37,9 @@ const Mistake geometry[] = {
     {"PlaneAndRectangle", floor_plane,
      "plane = { point = [0.0, 0.0, -0.5], normal = [0.0, 0.0, 1.0] }\n"
      "rectangle = { lower = [0.0, 0.0, -0.5], upper = [1.0, 1.0, -0.5] }",
-     "both plane and rectangle", "one of the two", "[[wall]]"},
-    {"WallWithoutShape", floor_plane, "", "neither plane nor rectangle", "one of the two", "[[wall]]"},
+     "more than one shape", "one of plane, cylinder and rectangle", "[[wall]]"},
+    {"WallWithoutShape", floor_plane, "", "neither plane, cylinder nor rectangle", "one of plane",
+     "[[wall]]"},
     {"PeriodicBoxTooSmall", "lower = [-1.0, -1.0, -1.0]\nupper = [1.0, 1.0, 1.0]",
      "boundary = [\"periodic\", \"open\", \"open\"]\nlower = [-0.01, -1.0, -1.0]\nupper = [0.18, 1.0, 1.0]",
      "a periodic box 0.19 m wide", "twice the largest particle, 0.2 m", "upper = [0.18"},
