@@ -73,6 +73,8 @@ Bodies bodies_of(const Scene& scene) {
     if (scene.rotation) append_spin(bodies, particle);
     if (flow) bodies.drag_rate.push_back(drag_rate(density, particle.diameter, viscosity_of(scene.flow)));
   }
+  if (scene.orientation != OrientationUpdate::none)
+    bodies.orientation.assign(bodies.size(), Quaternion::Identity());
   return bodies;
 }
 

@@ -30,6 +30,7 @@ struct Bodies {
   std::vector<Spin> spin;
   std::vector<Vec3> acceleration;          ///< m/s²; holds the force while contacts are being summed
   std::vector<Vec3> angular_acceleration;  ///< rad/s²; the torque while contacts are being summed
+  std::vector<Quaternion> orientation;     ///< empty unless the scene asks for it
   std::vector<double> mass;                ///< kg, of fixed particles too
   std::vector<double> reach;               ///< m; effect radius where the scene has cohesion, else radius
   std::vector<double> drag_rate;           ///< 1/s, the inverse of the response time; empty without flow

@@ -32,10 +32,21 @@ Response response(const PairLaws& laws, const ContactPoint& point, double root_m
           shared({laws.spring.stiffness, eta}, laws.spring.damping_ratio)};
 }
 
+/// k_t of before over k_t of now, where the spring keeps its force while k_t grows (docs/laws/history.md).
+double kept_share(const PairLaws& laws, const ContactPoint& point, const ContactSprings& springs) {
+  const bool grows = springs.overlap > 0.0 && springs.overlap < point.overlap;
+  if (!laws.spring.keeps_force || !laws.hertz.present() || !grows) return 1.0;
+  return std::sqrt(springs.overlap / point.overlap);
+}
+
+double rolling_stiffness(const ContactPoint& point, const ShearResponse& shear) {
+  return shear.stiffness * point.effective_radius * point.effective_radius;
+}
+
 }  // namespace
 
 ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, double elapsed,
-                           Vec3& displacement) {
+                           ContactSprings& springs) {
   const double root_mass = std::sqrt(point.effective_mass);
   const Response now = response(laws, point, root_mass);
   const double separating = point.relative_velocity.dot(point.normal);
@@ -43,20 +54,35 @@ ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, doub
   if (laws.normal.no_tension) normal = std::max(normal, 0.0);
   const Vec3 slip = point.relative_velocity - separating * point.normal;
   if (laws.spring.present()) {
-    displacement = laws.spring.turned(displacement, point.normal) + slip * elapsed;
-    return {normal, laws.spring.force(displacement, slip, normal, now.shear)};
+    const Vec3 kept = springs.displacement * kept_share(laws, point, springs);
+    springs.displacement = laws.spring.turned(kept, point.normal) + slip * elapsed;
+    if (laws.spring.keeps_force) springs.overlap = point.overlap;
+    return {normal, laws.spring.force(springs.displacement, slip, normal, now.shear)};
   }
   if (laws.friction.coefficient == 0.0) return {normal, Vec3::Zero()};
   return {normal, laws.friction.force(slip, normal, now.damping, root_mass)};
 }
 
-Stored stored_in(const PairLaws& laws, const ContactPoint& point, const Vec3& displacement) {
+Vec3 rolling_torque(const PairLaws& laws, const ContactPoint& point, const Vec3& spin, double normal_force,
+                    double elapsed, ContactSprings& springs) {
+  const Response now = response(laws, point, std::sqrt(point.effective_mass));
+  const double arm = laws.rolling.coefficient * point.effective_radius;
+  if (!laws.rolling.spring) return constant_torque(arm * now.push, spin, point.normal);
+  springs.rolling_torque = wound_torque(springs.rolling_torque, arm * std::abs(normal_force),
+                                        rolling_stiffness(point, now.shear), spin, point.normal, elapsed);
+  return springs.rolling_torque;
+}
+
+Stored stored_in(const PairLaws& laws, const ContactPoint& point, const ContactSprings& springs) {
   const Response now = response(laws, point, std::sqrt(point.effective_mass));
   const double normal = laws.hertz.present() ? laws.hertz.potential(circle(point), point.overlap)
                                              : laws.normal.potential(point.overlap);
   const double tangential =
-      laws.spring.present() ? 0.5 * now.shear.stiffness * displacement.squaredNorm() : 0.0;
-  return {now.push, normal, tangential};
+      laws.spring.present() ? 0.5 * now.shear.stiffness * springs.displacement.squaredNorm() : 0.0;
+  const double rolling =
+      laws.rolling.spring ? 0.5 * springs.rolling_torque.squaredNorm() / rolling_stiffness(point, now.shear)
+                          : 0.0;
+  return {now.push, normal, tangential, rolling};
 }
 
 }  // namespace grainproof::reference

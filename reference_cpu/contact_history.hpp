@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "model/vec3.hpp"
+#include "reference_cpu/contact_force.hpp"
 
 namespace grainproof::reference {
 
-/// Tangential springs of the bodies that touch, from one evaluation of the forces to the next.
+/// Springs of the bodies that touch, from one evaluation of the forces to the next.
 /// Contacts are gone through by rising (first, second), whoever found them, so the memory of one is
 /// met by going along those of the evaluation before: it hangs on no list, and none that is rebuilt
 /// can lose it. What is not kept has parted and is forgotten.
@@ -17,8 +18,11 @@ class ContactHistory {
   struct Memory {
     std::int32_t first;   ///< particle; for a wall its index after the particles
     std::int32_t second;  ///< particle
-    Vec3 displacement;    ///< m
+    ContactSprings springs;
   };
+
+  /// What contacts remember before the first evaluation, by rising (first, second).
+  explicit ContactHistory(std::vector<Memory> remembered) : now_(std::move(remembered)) {}
 
   /// Starts an evaluation; springs are stretched for `elapsed` (s).
   void begin(double elapsed) {
@@ -30,16 +34,16 @@ class ContactHistory {
 
   double elapsed() const { return elapsed_; }
 
-  /// Zero for bodies that did not touch before. To be asked by rising (first, second).
-  Vec3 recall(std::int32_t first, std::int32_t second) {
+  /// At rest for bodies that did not touch before. To be asked by rising (first, second).
+  ContactSprings recall(std::int32_t first, std::int32_t second) {
     while (next_ < before_.size() && precedes(before_[next_], first, second)) ++next_;
     if (next_ == before_.size() || before_[next_].first != first || before_[next_].second != second)
-      return Vec3::Zero();
-    return before_[next_].displacement;
+      return {};
+    return before_[next_].springs;
   }
 
-  void keep(std::int32_t first, std::int32_t second, const Vec3& displacement) {
-    now_.push_back({first, second, displacement});
+  void keep(std::int32_t first, std::int32_t second, const ContactSprings& springs) {
+    now_.push_back({first, second, springs});
   }
 
   const std::vector<Memory>& memories() const { return now_; }

@@ -48,12 +48,16 @@ void add_wall_force(const ContactSetting& setting, const Shape& shape, std::size
   const auto [normal, distance] = nearest(shape, body.position, setting.box);
   const double range = Touch::cohesive ? bodies.reach[i] : body.radius;
   if (distance >= range) return;
-  const Encounter meet{wall_as_body(wall), i, normal, body.radius - distance, range - distance};
+  const WallNow& stands = setting.walls[wall];
+  const Vec3 surface = body.position - distance * normal;
+  Encounter meet{wall_as_body(wall), i, normal, body.radius - distance, range - distance};
+  if (stands.moving) meet.wall_velocity = stands.velocity_at(surface);
   if (meet.overlap > watch.overlap_limit() * body.radius) [[unlikely]]
     watch.report({Trouble::Kind::wall_too_deep, i, static_cast<std::int32_t>(wall), meet.overlap});
-  const PairLaws& laws = setting.laws.at(setting.walls[wall].material, bodies.material[i]);
-  const Vec3 force = touch.force_on_second(laws, meet, body.velocity, 1.0 / body.inverse_mass);
-  log.wall_force(wall, force);
+  const PairLaws& laws = setting.laws.at(stands.material, bodies.material[i]);
+  const Vec3 force =
+      touch.force_on_second(laws, meet, body.velocity - meet.wall_velocity, 1.0 / body.inverse_mass);
+  log.wall_force(meet, force, surface - stands.reference);
   bodies.acceleration[i] += force;
 }
 
@@ -80,9 +84,9 @@ void add_forces(const ContactSetting& setting, const Neighbours& neighbours, Bod
     add_wall_forces(setting, neighbours.walls(), bodies, watch, touch, log);
   };
   if (bodies.turning())
-    add(AnyTouch<true, Log>(bodies, history, log));
+    add(AnyTouch<true, Log>(setting.walls, bodies, history, log));
   else if (!setting.simple)
-    add(AnyTouch<false, Log>(bodies, history, log));
+    add(AnyTouch<false, Log>(setting.walls, bodies, history, log));
   else if (setting.cohesion)
     add(SimpleTouch<true, Log>(log));
   else

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <span>
-
 #include "reference_cpu/bodies.hpp"
 #include "reference_cpu/contact_history.hpp"
 #include "reference_cpu/force_log.hpp"
 #include "reference_cpu/neighbours/neighbours.hpp"
+#include "reference_cpu/walls.hpp"
 #include "reference_cpu/watch.hpp"
 
 namespace grainproof::reference {
@@ -15,7 +14,7 @@ namespace grainproof::reference {
 struct ContactSetting {
   const LawTable& laws;
   const PeriodicBox& box;
-  std::span<const Wall> walls;
+  const Walls& walls;
   bool cohesion;
   bool simple;  ///< linear springs and friction without memory only
 };

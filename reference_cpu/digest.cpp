@@ -36,11 +36,15 @@ std::uint64_t digest_of(const State& state) {
   for (const Vec3& position : state.position) hash.add(position);
   for (const Vec3& velocity : state.velocity) hash.add(velocity);
   for (const Vec3& angular_velocity : state.angular_velocity) hash.add(angular_velocity);
+  for (const Quaternion& orientation : state.orientation)
+    for (const double component : orientation.coeffs()) hash.add(component);
   for (const ContactMemory& memory : state.contacts) {
     hash.add(static_cast<std::uint64_t>(memory.first));
     hash.add(static_cast<std::uint64_t>(memory.second));
     hash.add(static_cast<std::uint64_t>(memory.feature));
     hash.add(memory.tangential_displacement);
+    hash.add(memory.overlap);
+    hash.add(memory.rolling_torque);
   }
   return hash.value();
 }

@@ -33,33 +33,50 @@ Ledger LedgerKeeper::at(const Bodies& bodies, double pending) const {
   book(sums, {bodies, motion_after(bodies, 0.0), synchronised, pending});
   Ledger ledger;
   ledger.kinetic = kinetic_energy(bodies, synchronised);
-  ledger.elastic = log_.elastic + log_.tangential;
+  ledger.elastic = log_.elastic + log_.tangential + log_.wound;
   ledger.cohesive = log_.cohesive;
   ledger.gravity_work = sums.gravity_work.value();
   ledger.drag_work = sums.drag_work.value();
+  ledger.wall_work = sums.wall_work.value();
   ledger.dissipated_normal = sums.dissipated_normal.value();
   ledger.dissipated_tangential = sums.taken_by_friction.value() - log_.tangential;
+  ledger.dissipated_rolling = sums.taken_by_rolling.value() - log_.wound;
   ledger.support_impulse = sums.support.value();
   ledger.field_impulse = sums.field.value();
-  for (const auto& wall : sums.walls) ledger.wall_impulses.push_back(wall.value());
+  for (const WallSums& wall : sums.walls) {
+    ledger.wall_impulses.push_back(wall.impulse.value());
+    ledger.wall_angular_impulses.push_back(wall.angular_impulse.value());
+  }
   return ledger;
 }
 
 void LedgerKeeper::book(Sums& sums, const Kick& kick) const {
   sums.support.add(log_.support * kick.duration);
-  for (std::size_t wall = 0; wall < sums.walls.size(); ++wall)
-    sums.walls[wall].add(log_.wall_force_on_particles[wall] * kick.duration);
+  sums.wall_work.add(log_.wall_power * kick.duration);
+  for (std::size_t wall = 0; wall < sums.walls.size(); ++wall) {
+    sums.walls[wall].impulse.add(log_.walls[wall].force * kick.duration);
+    sums.walls[wall].angular_impulse.add(log_.walls[wall].moment * kick.duration);
+  }
   book_contacts(sums, kick);
+  book_rolling(sums, kick);
   book_fields(sums, kick);
 }
 
 void LedgerKeeper::book_contacts(Sums& sums, const Kick& kick) const {
   for (const LoggedContact& contact : log_.contacts) {
-    Vec3 path = kick.path(contact.meet.second);
+    Vec3 path = kick.path(contact.meet.second) - contact.meet.wall_velocity * kick.duration;
     if (!contact.meet.with_wall()) path -= kick.path(contact.meet.first);
     sums.dissipated_normal.add(-contact.dashpot.dot(path));
     if (kick.bodies.turning()) path -= sweep(kick, contact).cross(contact.meet.normal);
     sums.taken_by_friction.add(-contact.friction.dot(path));
+  }
+}
+
+void LedgerKeeper::book_rolling(Sums& sums, const Kick& kick) const {
+  for (const LoggedRolling& rolling : log_.rollings) {
+    Vec3 turn = kick.turn(rolling.meet.second) - rolling.wall_spin * kick.duration;
+    if (!rolling.meet.with_wall()) turn -= kick.turn(rolling.meet.first);
+    sums.taken_by_rolling.add(-rolling.torque.dot(turn));
   }
 }
 

@@ -42,17 +42,23 @@ class LedgerKeeper {
     }
   };
 
+  struct WallSums {
+    CompensatedSum<Vec3> impulse{Vec3::Zero()}, angular_impulse{Vec3::Zero()};
+  };
+
   /// Since the start.
   struct Sums {
-    explicit Sums(std::size_t wall_count) : walls(wall_count, CompensatedSum<Vec3>(Vec3::Zero())) {}
+    explicit Sums(std::size_t wall_count) : walls(wall_count) {}
 
-    CompensatedSum<double> gravity_work{0.0}, drag_work{0.0}, dissipated_normal{0.0}, taken_by_friction{0.0};
+    CompensatedSum<double> gravity_work{0.0}, drag_work{0.0}, wall_work{0.0}, dissipated_normal{0.0},
+        taken_by_friction{0.0}, taken_by_rolling{0.0};
     CompensatedSum<Vec3> support{Vec3::Zero()}, field{Vec3::Zero()};
-    std::vector<CompensatedSum<Vec3>> walls;
+    std::vector<WallSums> walls;
   };
 
   void book(Sums& sums, const Kick& kick) const;
   void book_contacts(Sums& sums, const Kick& kick) const;
+  void book_rolling(Sums& sums, const Kick& kick) const;
   /// Path by which turning alone carries the surfaces past each other, before the cross product with n.
   static Vec3 sweep(const Kick& kick, const LoggedContact& contact);
   void book_fields(Sums& sums, const Kick& kick) const;

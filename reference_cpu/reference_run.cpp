@@ -7,6 +7,8 @@
 
 #include "reference_cpu/digest.hpp"
 #include "reference_cpu/fields.hpp"
+#include "reference_cpu/memories.hpp"
+#include "reference_cpu/orientations.hpp"
 
 namespace grainproof::reference {
 namespace {
@@ -27,11 +29,13 @@ ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger)
     : scene_(scene),
       scheme_(scheme_for(scene_.run.integrator)),
       box_(scene_.domain),
+      walls_(scene_),
       laws_(scene_),
       cohesion_(has_cohesion(scene_)),
       simple_(laws_.all_simple()),
       bodies_(inside_bodies(scene_, box_)),
-      neighbours_(scene_, bodies_, box_),
+      neighbours_(scene_, walls_, bodies_, box_),
+      history_(memories_of(scene_)),
       watch_(scene_.run.overlap_limit) {
   if (with_ledger) ledger_.emplace(scene_);
   evaluate_forces(0.0);
@@ -56,9 +60,11 @@ void ReferenceRun::kick(Kick apply) {
 void ReferenceRun::take_step() {
   const double step = scene_.run.step;
   kick([&] { return scheme_.move(bodies_, scene_.flow, step, step_); });
+  turn_bodies(scene_.orientation, bodies_, step, scheme_.move_lag);
   ++step_;
   confine();
   raise_trouble();
+  walls_.move_to(time());
   neighbours_.update(bodies_);
   evaluate_forces(step);
   if (scheme_.settle) kick([&] { return scheme_.settle(bodies_, step); });
@@ -82,8 +88,7 @@ void ReferenceRun::evaluate_forces(double elapsed) {
   std::ranges::fill(bodies_.acceleration, Vec3::Zero());
   std::ranges::fill(bodies_.angular_acceleration, Vec3::Zero());
   history_.begin(elapsed);
-  add_contact_forces({laws_, box_, scene_.walls, cohesion_, simple_}, neighbours_, bodies_, history_, watch_,
-                     log);
+  add_contact_forces({laws_, box_, walls_, cohesion_, simple_}, neighbours_, bodies_, history_, watch_, log);
   add_fields(scene_, time(), !scheme_.applies_drag, bodies_, log);
 }
 
@@ -111,6 +116,7 @@ Frame ReferenceRun::frame() {
   Motion synchronised = motion_after(bodies_, pending);
   frame.velocity = std::move(synchronised.velocity);
   frame.angular_velocity = std::move(synchronised.angular_velocity);
+  frame.orientation = bodies_.orientation;
   return frame;
 }
 
@@ -125,15 +131,9 @@ State ReferenceRun::state() {
     state.velocity.push_back(body.velocity);
   }
   for (const Spin& spin : bodies_.spin) state.angular_velocity.push_back(spin.angular_velocity);
-  for (const auto& memory : history_.memories()) state.contacts.push_back(by_id(memory));
+  state.orientation = bodies_.orientation;
+  state.contacts = memories_by_id(history_, bodies_);
   return state;
-}
-
-ContactMemory ReferenceRun::by_id(const ContactHistory::Memory& memory) const {
-  const std::int64_t second = bodies_.id[memory.second];
-  const auto particles = static_cast<std::int32_t>(bodies_.size());
-  if (memory.first >= particles) return {second, particles - 1 - memory.first, 0, memory.displacement};
-  return {bodies_.id[memory.first], second, 0, memory.displacement};
 }
 
 std::uint64_t ReferenceRun::digest() {

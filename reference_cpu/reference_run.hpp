@@ -33,7 +33,6 @@ class ReferenceRun : public Run {
   void evaluate_forces(double elapsed);
   void check_velocities();
   void raise_trouble() const;
-  ContactMemory by_id(const ContactHistory::Memory& memory) const;
   double time() const { return static_cast<double>(step_) * scene_.run.step; }
   /// By how many steps the held velocities are behind; none before the first step.
   double velocity_lag() const { return step_ == 0 ? 0.0 : scheme_.velocity_lag; }
@@ -41,6 +40,7 @@ class ReferenceRun : public Run {
   const Scene scene_;
   const Scheme scheme_;
   const PeriodicBox box_;
+  Walls walls_;
   const LawTable laws_;
   const bool cohesion_;
   const bool simple_;

@@ -20,7 +20,7 @@ inline Nearest nearest(const Plane& plane, const Vec3& position, const PeriodicB
 inline Nearest nearest(const Rectangle& rectangle, const Vec3& position, const PeriodicBox& box) {
   const Vec3 centre = 0.5 * (rectangle.lower + rectangle.upper);
   const Vec3 half = 0.5 * (rectangle.upper - rectangle.lower);
-  const Vec3 from_centre = box.nearest_image(position - centre);
+  const Vec3 from_centre = box.nearest_image(position - box.inside(centre));
   const Vec3 away = from_centre - from_centre.cwiseMax(-half).cwiseMin(half);
   const double distance = away.norm();
   return {away / distance, distance};

@@ -7,6 +7,7 @@
 #include "reference_cpu/contact_force.hpp"
 #include "reference_cpu/contact_history.hpp"
 #include "reference_cpu/encounter.hpp"
+#include "reference_cpu/walls.hpp"
 
 /// What bodies that are near each other do to each other. The loops over pairs and walls are told
 /// which of these to use, so that scenes pay for no more than they have.
@@ -34,7 +35,7 @@ class SimpleTouch {
       const ContactPoint point{meet.normal, meet.overlap, relative_velocity, effective_mass, 0.0};
       const ContactForce contact = contact_force(laws, point);
       force = contact.normal * meet.normal + contact.friction;
-      log_.contact(laws, meet, {}, point, contact, Vec3::Zero());
+      log_.contact(laws, meet, {}, point, contact, {});
     }
     if constexpr (cohesive) force += attraction(laws, meet, log_);
     return force;
@@ -50,8 +51,8 @@ class AnyTouch {
  public:
   static constexpr bool cohesive = true;
 
-  AnyTouch(Bodies& bodies, ContactHistory& history, Log& log)
-      : bodies_(bodies), history_(history), log_(log) {}
+  AnyTouch(const Walls& walls, Bodies& bodies, ContactHistory& history, Log& log)
+      : walls_(walls), bodies_(bodies), history_(history), log_(log) {}
 
   Vec3 force_on_second(const PairLaws& laws, const Encounter& meet, const Vec3& relative_velocity,
                        double effective_mass) {
@@ -69,12 +70,15 @@ class AnyTouch {
       arms = arms_of(laws, meet);
       point.relative_velocity -= sweep(meet, arms).cross(meet.normal);
     }
-    Vec3 displacement = Vec3::Zero();
-    if (laws.spring.present()) displacement = history_.recall(memory_key(meet), meet.second);
-    const ContactForce force = contact_force(laws, point, history_.elapsed(), displacement);
-    if (laws.spring.present()) history_.keep(memory_key(meet), meet.second, displacement);
-    if constexpr (turning) twist(meet, arms, meet.normal.cross(force.friction));
-    log_.contact(laws, meet, arms, point, force, displacement);
+    ContactSprings springs;
+    if (laws.remembers()) springs = history_.recall(memory_key(meet), meet.second);
+    const ContactForce force = contact_force(laws, point, history_.elapsed(), springs);
+    if constexpr (turning) {
+      twist(meet, arms, meet.normal.cross(force.friction));
+      if (laws.rolling.present()) resist_rolling(laws, meet, point, force.normal, springs);
+    }
+    if (laws.remembers()) history_.keep(memory_key(meet), meet.second, springs);
+    log_.contact(laws, meet, arms, point, force, springs);
     return force.normal * meet.normal + force.friction;
   }
 
@@ -108,6 +112,18 @@ class AnyTouch {
     if (!meet.with_wall()) bodies_.angular_acceleration[meet.first] -= arms.first * normal_cross_friction;
   }
 
+  void resist_rolling(const PairLaws& laws, const Encounter& meet, const ContactPoint& point,
+                      double normal_force, ContactSprings& springs) {
+    const Vec3& spin_one =
+        meet.with_wall() ? walls_[wall_of(meet)].spin : bodies_.spin[meet.first].angular_velocity;
+    const Vec3 spin = bodies_.spin[meet.second].angular_velocity - spin_one;
+    const Vec3 torque = rolling_torque(laws, point, spin, normal_force, history_.elapsed(), springs);
+    bodies_.angular_acceleration[meet.second] += torque;
+    if (!meet.with_wall()) bodies_.angular_acceleration[meet.first] -= torque;
+    log_.rolling(meet, torque, spin_one);
+  }
+
+  const Walls& walls_;
   Bodies& bodies_;
   ContactHistory& history_;
   Log& log_;

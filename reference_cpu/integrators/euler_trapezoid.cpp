@@ -20,7 +20,7 @@ double move(Bodies& bodies, const Flow&, double step, std::int64_t) {
 }  // namespace
 
 Scheme euler_trapezoid() {
-  return {.move = move};
+  return {.move = move, .move_lag = 0.5};
 }
 
 }  // namespace grainproof::reference

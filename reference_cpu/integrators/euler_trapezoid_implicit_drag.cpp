@@ -31,7 +31,7 @@ double move(Bodies& bodies, const Flow& flow, double step, std::int64_t) {
 }  // namespace
 
 Scheme euler_trapezoid_implicit_drag() {
-  return {.move = move, .applies_drag = true};
+  return {.move = move, .applies_drag = true, .move_lag = 0.5};
 }
 
 }  // namespace grainproof::reference

@@ -17,6 +17,7 @@ struct Scheme {
   double (*settle)(Bodies& bodies, double step) = nullptr;
   bool applies_drag = false;  ///< then drag is left out of the acceleration
   double velocity_lag = 0.0;  ///< of the velocity it holds, in steps
+  double move_lag = 0.0;      ///< after move(), steps back to the velocity that took bodies along
 };
 
 Scheme euler_trapezoid();

@@ -23,6 +23,13 @@ double stiffness(double modulus, double circle) {
   return 2.0 * modulus * circle;
 }
 
+// Tsuji's α is 2 sqrt(5/6) ζ, with ζ the share of critical damping of a linear contact. A dashpot given in
+// N s/m is refused by supports().
+double damping_share(const Dissipation& dissipation) {
+  if (const auto* given = std::get_if<DampingRatio>(&dissipation)) return 2.0 * given->value;
+  return 2.0 * std::sqrt(5.0 / 6.0) * damping_ratio(std::get<Restitution>(dissipation).value);
+}
+
 }  // namespace
 
 double HertzContact::damping(double circle, double root_mass) const {
@@ -39,12 +46,10 @@ double HertzContact::contact_time(double circle, double mass) const {
   return 2.943275 * std::sqrt(15.0 * mass / (8.0 * stiffness(modulus, circle)));
 }
 
-// Tsuji's α is 2 sqrt(5/6) ζ, with ζ the share of critical damping of a linear contact.
 HertzContact hertz_contact(const HertzNormal& law, const Elasticity& one, const Elasticity& two) {
-  const double restitution = std::get<Restitution>(law.dissipation).value;
   return {.modulus = 1.0 / (compliance(one) + compliance(two)),
           .shear_modulus = 1.0 / (shear_compliance(one) + shear_compliance(two)),
-          .damping_share = 2.0 * std::sqrt(5.0 / 6.0) * damping_ratio(restitution)};
+          .damping_share = damping_share(law.dissipation)};
 }
 
 }  // namespace grainproof::reference

@@ -17,6 +17,7 @@ PairLaws resolve(const Scene& scene, std::size_t a, std::size_t b) {
              laws.normal);
   resolved.friction = slip_friction(laws.friction, resolved.normal.stiffness, scene.run.step);
   resolved.spring = tangential_spring(laws.friction);
+  resolved.rolling = rolling_resistance(laws.rolling);
   resolved.arm_shortening = arm_shortening(laws.friction);
   std::visit(Overloaded{[](const NoCohesion&) {},
                         [&](const LinearCohesion& law) { resolved.cohesion.stiffness = law.stiffness; }},

@@ -10,6 +10,7 @@
 #include "reference_cpu/laws/hertz_normal.hpp"
 #include "reference_cpu/laws/linear_cohesion.hpp"
 #include "reference_cpu/laws/linear_normal.hpp"
+#include "reference_cpu/laws/rolling.hpp"
 #include "reference_cpu/laws/tangential_spring.hpp"
 
 namespace grainproof::reference {
@@ -22,10 +23,13 @@ struct PairLaws {
   EffectSpring cohesion;
   HertzContact hertz;
   TangentialSpring spring;
+  RollingResistance rolling;
   double arm_shortening = 0.0;  ///< torque arm: radius less this share of the overlap
 
+  bool remembers() const { return spring.present() || rolling.spring; }
+
   /// Linear springs and friction without memory: what the fast loops know.
-  bool simple() const { return !hertz.present() && !spring.present(); }
+  bool simple() const { return !hertz.present() && !spring.present() && !rolling.present(); }
 };
 
 /// Of the materials a and b of the scene, which has laws for them.

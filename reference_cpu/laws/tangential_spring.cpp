@@ -50,7 +50,8 @@ TangentialSpring tangential_spring(const FrictionLaw& law) {
           .stiffness = given->stiffness,
           .damping_ratio = given->damping_ratio,
           .limit = given->limit,
-          .turn = given->turn};
+          .turn = given->turn,
+          .keeps_force = given->memory == SpringMemory::force};
 }
 
 double arm_shortening(const FrictionLaw& law) {

@@ -18,7 +18,8 @@ struct TangentialSpring {
   double stiffness = 0.0;      ///< N/m; a Hertz contact has its own
   double damping_ratio = 0.0;  ///< η_t over the η of the normal contact
   CoulombLimit limit = CoulombLimit::spring_and_dashpot;
-  SpringTurn turn = SpringTurn::project_and_rescale;
+  SpringTurn turn = SpringTurn::project;
+  bool keeps_force = false;  ///< k_t ζ while k_t grows; else always ζ
 
   bool present() const { return coefficient != 0.0; }
 

@@ -21,9 +21,18 @@ void list_near(const Shape& shape, const Bodies& bodies, const PeriodicBox& box,
 
 }  // namespace
 
-void NearWalls::list(const Bodies& bodies, const PeriodicBox& box, double skin) {
-  for (std::size_t w = 0; w < walls_.size(); ++w)
-    std::visit([&](const auto& shape) { list_near(shape, bodies, box, skin, near_[w]); }, walls_[w].shape);
+void NearWalls::list(const Walls& walls, const Bodies& bodies, const PeriodicBox& box, double skin) {
+  reference_when_made_.resize(walls.size());
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    reference_when_made_[w] = walls[w].reference;
+    std::visit([&](const auto& shape) { list_near(shape, bodies, box, skin, near_[w]); }, walls[w].shape);
+  }
+}
+
+bool NearWalls::outdated(const Walls& walls, double skin) const {
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    if (4.0 * (walls[w].reference - reference_when_made_[w]).squaredNorm() > skin * skin) return true;
+  return false;
 }
 
 }  // namespace grainproof::reference

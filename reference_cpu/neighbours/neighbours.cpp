@@ -22,15 +22,16 @@ double skin_of(const Scene& scene) {
 
 }  // namespace
 
-Neighbours::Neighbours(const Scene& scene, const Bodies& bodies, const PeriodicBox& box)
+Neighbours::Neighbours(const Scene& scene, const Walls& walls, const Bodies& bodies, const PeriodicBox& box)
     : way_(way_for(scene, bodies)),
+      walls_(walls),
       box_(box),
       largest_reach_(largest_reach(scene)),
       verlet_(skin_of(scene)),
-      walls_(scene.walls) {
+      near_walls_(walls.size()) {
   if (way_ == Way::nothing_to_find) {
     pairs_.assign(bodies.size(), {});
-    walls_.list(bodies, box_, std::numeric_limits<double>::infinity());
+    near_walls_.list(walls_, bodies, box_, std::numeric_limits<double>::infinity());
   } else {
     rebuild(bodies, way_ == Way::verlet_list ? verlet_.skin() : 0.0);
   }
@@ -54,7 +55,7 @@ Neighbours::Way Neighbours::way_for(const Scene& scene, const Bodies& bodies) {
 
 void Neighbours::update(const Bodies& bodies) {
   if (way_ == Way::nothing_to_find) return;
-  if (way_ == Way::verlet_list && !verlet_.outdated(bodies, box_)) return;
+  if (way_ == Way::verlet_list && !outdated(bodies)) return;
   rebuild(bodies, way_ == Way::verlet_list ? verlet_.skin() : 0.0);
   ++rebuilds_;
 }
@@ -66,7 +67,7 @@ void Neighbours::rebuild(const Bodies& bodies, double skin) {
     chains_.fill(grid_over(bodies, box_, 2.0 * largest_reach_ + skin), bodies);
     chains_.list_pairs(bodies, box_, skin, pairs_);
   }
-  walls_.list(bodies, box_, skin);
+  near_walls_.list(walls_, bodies, box_, skin);
   if (way_ == Way::verlet_list) verlet_.made(bodies);
 }
 

@@ -11,30 +11,33 @@ namespace grainproof::reference {
 /// Who may touch whom, found the way the scene asks for and only when it may have changed.
 class Neighbours {
  public:
-  /// Keeps a reference to the walls of the scene.
-  Neighbours(const Scene& scene, const Bodies& bodies, const PeriodicBox& box);
+  /// Keeps references to the walls and the box.
+  Neighbours(const Scene& scene, const Walls& walls, const Bodies& bodies, const PeriodicBox& box);
 
   /// Positions must be finite and inside the domain.
   void update(const Bodies& bodies);
 
   const PairList& pairs() const { return pairs_; }
-  const NearWalls& walls() const { return walls_; }
+  const NearWalls& walls() const { return near_walls_; }
   std::int64_t rebuilds() const { return rebuilds_; }
 
  private:
   enum class Way { nothing_to_find, all_pairs, cells, verlet_list };
 
   static Way way_for(const Scene& scene, const Bodies& bodies);
-  bool outdated(const Bodies& bodies) const;
+  bool outdated(const Bodies& bodies) const {
+    return verlet_.outdated(bodies, box_) || near_walls_.outdated(walls_, verlet_.skin());
+  }
   void rebuild(const Bodies& bodies, double skin);
 
   Way way_;
+  const Walls& walls_;
   const PeriodicBox& box_;
   double largest_reach_;
   VerletList verlet_;
   ChainCells chains_;
   PairList pairs_;
-  NearWalls walls_;
+  NearWalls near_walls_;
   std::int64_t rebuilds_ = 0;
 };
 

@@ -156,9 +156,9 @@ reference::PairLaws hand_laws(CoulombLimit limit) {
 }
 
 TEST(Hertz, ForceAndMindlinsSpringAreAsEvaluatedByHand) {
-  Vec3 displacement(0.0, 1e-6, 0.0);
+  reference::ContactSprings springs{.displacement = {0.0, 1e-6, 0.0}};
   const reference::ContactPoint point{Vec3::UnitX(), 1e-4, Vec3::Zero(), 0.01, 0.04};
-  const auto force = contact_force(hand_laws(CoulombLimit::spring), point, 0.0, displacement);
+  const auto force = contact_force(hand_laws(CoulombLimit::spring), point, 0.0, springs);
   EXPECT_NEAR(force.normal, 4.0 / 3.0 * 0.8e9 * 2e-3 * 1e-4, 1e-12 * force.normal);
   const double shear_stiffness = 8.0 * (1.5e9 / 8.75) * 2e-3;
   EXPECT_NEAR(force.friction.y(), -shear_stiffness * 1e-6, 1e-12 * shear_stiffness * 1e-6);
@@ -168,12 +168,12 @@ TEST(Hertz, ForceAndMindlinsSpringAreAsEvaluatedByHand) {
 TEST(Hertz, DashpotsAreTsujis) {
   const double share = std::log(2.0) / std::hypot(std::log(2.0), std::numbers::pi);
   const double per_root = 2.0 * share * std::sqrt(5.0 / 6.0);
-  Vec3 displacement = Vec3::Zero();
+  reference::ContactSprings springs;
   const reference::ContactPoint still{Vec3::UnitX(), 1e-4, Vec3::Zero(), 0.01, 0.04};
   const reference::ContactPoint moving{Vec3::UnitX(), 1e-4, {-0.3, 0.2, 0.0}, 0.01, 0.04};
   const auto laws = hand_laws(CoulombLimit::spring_and_dashpot);
-  const double push = contact_force(laws, still, 0.0, displacement).normal;
-  const auto force = contact_force(laws, moving, 0.0, displacement);
+  const double push = contact_force(laws, still, 0.0, springs).normal;
+  const auto force = contact_force(laws, moving, 0.0, springs);
   const double eta = per_root * std::sqrt(0.01 * 2.0 * 0.8e9 * 2e-3);
   const double shear_eta = per_root * std::sqrt(0.01 * 8.0 * (1.5e9 / 8.75) * 2e-3);
   EXPECT_NEAR(force.normal - push, 0.3 * eta, 1e-12 * push);

@@ -11,6 +11,7 @@ namespace {
 
 using reference::ContactForce;
 using reference::ContactPoint;
+using reference::ContactSprings;
 using reference::PairLaws;
 
 constexpr double force_tolerance = 1e-14;         // forces of order 1, a few roundings
@@ -32,10 +33,9 @@ constexpr std::array both_limits{CoulombLimit::spring, CoulombLimit::spring_and_
 // 0.001 + 0.5 · 0.002; 1000 · 0.002 + 2 · 0.5.
 TEST(HistoryFriction, StickingIsSpringAndDashpotWhateverTheLimitIsOn) {
   for (const CoulombLimit limit : both_limits) {
-    Vec3 displacement(0.0, 0.001, 0.0);
-    const ContactForce force =
-        contact_force(laws_with(limit), point_with({0.0, 0.5, 0.0}), 0.002, displacement);
-    EXPECT_LE((displacement - Vec3(0.0, 0.002, 0.0)).norm(), displacement_tolerance);
+    ContactSprings springs{.displacement = {0.0, 0.001, 0.0}};
+    const ContactForce force = contact_force(laws_with(limit), point_with({0.0, 0.5, 0.0}), 0.002, springs);
+    EXPECT_LE((springs.displacement - Vec3(0.0, 0.002, 0.0)).norm(), displacement_tolerance);
     EXPECT_LE((force.friction - Vec3(0.0, -3.0, 0.0)).norm(), force_tolerance);
     EXPECT_NEAR(force.normal, 10.0, force_tolerance);
   }
@@ -43,63 +43,61 @@ TEST(HistoryFriction, StickingIsSpringAndDashpotWhateverTheLimitIsOn) {
 
 // Spring 4.5 N, dashpot 1 N, limit 5 N.
 TEST(HistoryFriction, LimitOnTheSpringLetsTheDashpotPassIt) {
-  Vec3 displacement(0.0, 0.0035, 0.0);
+  ContactSprings springs{.displacement = {0.0, 0.0035, 0.0}};
   const ContactForce force =
-      contact_force(laws_with(CoulombLimit::spring), point_with({0.0, 0.5, 0.0}), 0.002, displacement);
-  EXPECT_LE((displacement - Vec3(0.0, 0.0045, 0.0)).norm(), displacement_tolerance);
+      contact_force(laws_with(CoulombLimit::spring), point_with({0.0, 0.5, 0.0}), 0.002, springs);
+  EXPECT_LE((springs.displacement - Vec3(0.0, 0.0045, 0.0)).norm(), displacement_tolerance);
   EXPECT_LE((force.friction - Vec3(0.0, -5.5, 0.0)).norm(), force_tolerance);
 }
 
 // The same: the sum is cut to 5 N, and the spring keeps 5 − 1 N of it.
 TEST(HistoryFriction, LimitOnTheSumCutsTheSpringBackToWhatTheDashpotLeaves) {
-  Vec3 displacement(0.0, 0.0035, 0.0);
-  const ContactForce force = contact_force(laws_with(CoulombLimit::spring_and_dashpot),
-                                           point_with({0.0, 0.5, 0.0}), 0.002, displacement);
-  EXPECT_LE((displacement - Vec3(0.0, 0.004, 0.0)).norm(), displacement_tolerance);
+  ContactSprings springs{.displacement = {0.0, 0.0035, 0.0}};
+  const ContactForce force =
+      contact_force(laws_with(CoulombLimit::spring_and_dashpot), point_with({0.0, 0.5, 0.0}), 0.002, springs);
+  EXPECT_LE((springs.displacement - Vec3(0.0, 0.004, 0.0)).norm(), displacement_tolerance);
   EXPECT_LE((force.friction - Vec3(0.0, -5.0, 0.0)).norm(), force_tolerance);
 }
 
 // Spring 3-4-5 of 7.5 N before the limit of 5 N: two thirds of it remain, and no dashpot acts.
 TEST(HistoryFriction, SlidingSpringPullsWithTheLimitAloneAndIsCutBackToIt) {
-  Vec3 displacement(0.0, 0.0035, 0.006);
+  ContactSprings springs{.displacement = {0.0, 0.0035, 0.006}};
   const ContactForce force =
-      contact_force(laws_with(CoulombLimit::spring), point_with({0.0, 0.5, 0.0}), 0.002, displacement);
+      contact_force(laws_with(CoulombLimit::spring), point_with({0.0, 0.5, 0.0}), 0.002, springs);
   EXPECT_LE((force.friction - Vec3(0.0, -3.0, -4.0)).norm(), force_tolerance);
-  EXPECT_LE((displacement - Vec3(0.0, 0.003, 0.004)).norm(), displacement_tolerance);
+  EXPECT_LE((springs.displacement - Vec3(0.0, 0.003, 0.004)).norm(), displacement_tolerance);
 }
 
 // Approaching at 1 m/s adds 4 N to the normal force and so 2 N to the limit.
 TEST(HistoryFriction, LimitFollowsTheNormalForceWithItsDashpot) {
-  Vec3 displacement(0.0, 0.1, 0.0);
+  ContactSprings springs{.displacement = {0.0, 0.1, 0.0}};
   const ContactForce force =
-      contact_force(laws_with(CoulombLimit::spring), point_with({-1.0, 0.0, 0.0}), 0.0, displacement);
+      contact_force(laws_with(CoulombLimit::spring), point_with({-1.0, 0.0, 0.0}), 0.0, springs);
   EXPECT_LE((force.friction - Vec3(0.0, -7.0, 0.0)).norm(), force_tolerance);
 }
 
 // ζ = 3e-3 along z, n = (0, 0.6, 0.8): 2.4e-3 along n goes, 1.8e-3 remain along (0, −0.8, 0.6).
 TEST(HistoryFriction, SpringTurnsByItsPartInThePlane) {
-  Vec3 displacement(0.0, 0.0, 0.003);
+  ContactSprings springs{.displacement = {0.0, 0.0, 0.003}};
   const PairLaws laws = laws_with(CoulombLimit::spring, SpringTurn::project);
-  const ContactForce force =
-      contact_force(laws, point_with(Vec3::Zero(), {0.0, 0.6, 0.8}), 0.001, displacement);
-  EXPECT_LE((displacement - Vec3(0.0, -0.00144, 0.00108)).norm(), displacement_tolerance);
+  const ContactForce force = contact_force(laws, point_with(Vec3::Zero(), {0.0, 0.6, 0.8}), 0.001, springs);
+  EXPECT_LE((springs.displacement - Vec3(0.0, -0.00144, 0.00108)).norm(), displacement_tolerance);
   EXPECT_LE((force.friction - Vec3(0.0, 1.44, -1.08)).norm(), force_tolerance);
 }
 
 TEST(HistoryFriction, RescaledSpringTurnsWithoutGettingShorter) {
-  Vec3 displacement(0.0, 0.0, 0.003);
+  ContactSprings springs{.displacement = {0.0, 0.0, 0.003}};
   const PairLaws laws = laws_with(CoulombLimit::spring, SpringTurn::project_and_rescale);
-  const ContactForce force =
-      contact_force(laws, point_with(Vec3::Zero(), {0.0, 0.6, 0.8}), 0.001, displacement);
-  EXPECT_LE((displacement - Vec3(0.0, -0.0024, 0.0018)).norm(), displacement_tolerance);
+  const ContactForce force = contact_force(laws, point_with(Vec3::Zero(), {0.0, 0.6, 0.8}), 0.001, springs);
+  EXPECT_LE((springs.displacement - Vec3(0.0, -0.0024, 0.0018)).norm(), displacement_tolerance);
   EXPECT_LE((force.friction - Vec3(0.0, 2.4, -1.8)).norm(), force_tolerance);
 }
 
 TEST(HistoryFriction, SpringAlongTheNormalLeavesNothing) {
   for (const SpringTurn turn : {SpringTurn::project, SpringTurn::project_and_rescale}) {
-    Vec3 displacement(0.003, 0.0, 0.0);
-    contact_force(laws_with(CoulombLimit::spring, turn), point_with(Vec3::Zero()), 0.001, displacement);
-    EXPECT_EQ(displacement, Vec3::Zero());
+    ContactSprings springs{.displacement = {0.003, 0.0, 0.0}};
+    contact_force(laws_with(CoulombLimit::spring, turn), point_with(Vec3::Zero()), 0.001, springs);
+    EXPECT_EQ(springs.displacement, Vec3::Zero());
   }
 }
 

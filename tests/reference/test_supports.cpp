@@ -120,8 +120,9 @@ TEST(Supports, HertzContactNeedsElasticityAndARestitution) {
   EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
   scene.materials[0].elasticity.reset();
   expect_refused(scene, "elasticity of 'glass'");
-  expect_refused(hertz_scene(Damping{1.0}, Frictionless{}), "restitution only");
+  expect_refused(hertz_scene(Damping{1.0}, Frictionless{}), "or from a damping ratio");
   expect_refused(hertz_scene(Restitution{0.0}, Frictionless{}), "above 0");
+  EXPECT_TRUE(reference::ReferenceEngine().supports(hertz_scene(DampingRatio{0.0}, Frictionless{}), {}));
 }
 
 TEST(Supports, FrictionThatNeedsALinearContactTimeIsRefusedOnHertzContacts) {

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "model/scene.hpp"
+#include "reference_cpu/bodies.hpp"
+#include "reference_cpu/contact_history.hpp"
+
+/// Between memories as everyone names them, by ids, and as the engine holds them, by indices.
+namespace grainproof::reference {
+
+/// What the scene's contacts remember at the start.
+std::vector<ContactHistory::Memory> memories_of(const Scene& scene);
+
+/// By rising (first, second) of the engine: those of pairs, then those with walls.
+std::vector<ContactMemory> memories_by_id(const ContactHistory& history, const Bodies& bodies);
+
+}  // namespace grainproof::reference
