@@ -75,7 +75,7 @@ class AnyTouch {
     const ContactForce force = contact_force(laws, point, history_.elapsed(), springs);
     if constexpr (turning) {
       twist(meet, arms, meet.normal.cross(force.friction));
-      if (laws.rolling.present()) resist_rolling(laws, meet, point, force.normal, springs);
+      if (laws.rolling.present()) resist_rolling(laws, meet, arms, point, force.normal, springs);
     }
     if (laws.remembers()) history_.keep(memory_key(meet), meet.second, springs);
     log_.contact(laws, meet, arms, point, force, springs);
@@ -112,15 +112,25 @@ class AnyTouch {
     if (!meet.with_wall()) bodies_.angular_acceleration[meet.first] -= arms.first * normal_cross_friction;
   }
 
-  void resist_rolling(const PairLaws& laws, const Encounter& meet, const ContactPoint& point,
-                      double normal_force, ContactSprings& springs) {
-    const Vec3& spin_one =
-        meet.with_wall() ? walls_[wall_of(meet)].spin : bodies_.spin[meet.first].angular_velocity;
-    const Vec3 spin = bodies_.spin[meet.second].angular_velocity - spin_one;
+  const Vec3& spin_of_first(const Encounter& meet) const {
+    return meet.with_wall() ? walls_[wall_of(meet)].spin : bodies_.spin[meet.first].angular_velocity;
+  }
+
+  /// Of body 2 over body 1. With the shorter arm at a wall it is taken as LIGGGHTS does: from the speed at
+  /// that arm over the distance from the wall (docs/laws/rolling.md).
+  Vec3 rolling_spin(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms) const {
+    const Vec3 spin = bodies_.spin[meet.second].angular_velocity - spin_of_first(meet);
+    if (!meet.with_wall() || laws.arm_shortening == 0.0) return spin;
+    return spin * (arms.second / (bodies_.body[meet.second].radius - meet.overlap));
+  }
+
+  void resist_rolling(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                      const ContactPoint& point, double normal_force, ContactSprings& springs) {
+    const Vec3 spin = rolling_spin(laws, meet, arms);
     const Vec3 torque = rolling_torque(laws, point, spin, normal_force, history_.elapsed(), springs);
     bodies_.angular_acceleration[meet.second] += torque;
     if (!meet.with_wall()) bodies_.angular_acceleration[meet.first] -= torque;
-    log_.rolling(meet, torque, spin_one);
+    log_.rolling(meet, torque, spin_of_first(meet));
   }
 
   const Walls& walls_;

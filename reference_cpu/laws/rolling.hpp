@@ -16,11 +16,12 @@ struct RollingResistance {
 
 RollingResistance rolling_resistance(const RollingLaw& law);
 
-/// On body 2, N m: `most` against the spin of body 2 over body 1, less what would act about n.
+/// On body 2, N m: `most` against the spin of body 2 over body 1, then without its part along n, so that a
+/// spin about n makes it smaller.
 Vec3 constant_torque(double most, const Vec3& spin, const Vec3& normal);
 
-/// On body 2, N m: the torque that is kept, wound against the spin and cut back to `most`.
-/// `stiffness` in N m/rad.
+/// On body 2, N m: the torque that is kept, as it stands in space, wound against the spin and cut back to
+/// `most`. `stiffness` in N m/rad.
 Vec3 wound_torque(const Vec3& kept, double most, double stiffness, const Vec3& spin, const Vec3& normal,
                   double elapsed);
 
