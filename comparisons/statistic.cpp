@@ -38,6 +38,8 @@ double statistic_of(Statistic statistic, std::span<const double> errors) {
       return root_mean_square(errors);
     case Statistic::mean:
       return mean_of(errors);
+    case Statistic::band:  // of two samples, not of errors
+      break;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }

@@ -103,6 +103,8 @@ std::string_view name_of(Statistic statistic) {
       return "rms";
     case Statistic::mean:
       return "mean";
+    case Statistic::band:
+      return "band";
   }
   return "unknown";
 }

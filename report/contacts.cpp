@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "comparisons/metrics/walls.hpp"
+
 namespace grainproof::report {
 namespace {
 
@@ -59,18 +61,6 @@ Vec3 nearest_image(const Domain& domain, Vec3 difference) {
   return difference;
 }
 
-double distance(const Plane& plane, const Vec3& position) {
-  return (position - plane.point).dot(plane.normal);
-}
-
-double distance(const Rectangle& rectangle, const Vec3& position) {
-  return (position - position.cwiseMax(rectangle.lower).cwiseMin(rectangle.upper)).norm();
-}
-
-bool touches(const Wall& wall, const Vec3& position, double radius) {
-  return std::visit([&](const auto& shape) { return distance(shape, position) < radius; }, wall.shape);
-}
-
 }  // namespace
 
 ContactCount count_contacts(const Scene& scene, const Frame& frame) {
@@ -82,7 +72,7 @@ ContactCount count_contacts(const Scene& scene, const Frame& frame) {
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     const Vec3& here = frame.position[i];
     const double radius = scene.particles[i].diameter / 2.0;
-    for (const Wall& wall : scene.walls) count.walls += touches(wall, here, radius) ? 1 : 0;
+    for (const Wall& wall : scene.walls) count.walls += facing(wall, here, frame.time).distance < radius;
     const Cell cell = grid.cell_of(here);
     for (const Cell& near : grid.around(cell)) {
       const auto found = earlier.find(near);

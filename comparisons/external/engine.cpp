@@ -20,8 +20,13 @@ constexpr int went_wrong = 3;
 
 ExternalEngine::ExternalEngine(std::string command) : command_(std::move(command)) {}
 
-Support ExternalEngine::supports(const Scene&, const Request& request) const {
-  return request.ledger ? Support::no("an external command gives no energy and impulse ledger") : Support{};
+Support ExternalEngine::supports(const Scene& scene, const Request& request) const {
+  if (request.ledger) return Support::no("an external command gives no energy and impulse ledger");
+  if (scene.orientation != OrientationUpdate::none)
+    return Support::no("an external command gives no orientations");
+  if (!scene.remembered.empty())
+    return Support::no("an external command is not told what contacts remember at the start");
+  return {};
 }
 
 Observations ExternalEngine::observe(const Scene& scene, const Request& request) {

@@ -36,7 +36,8 @@ json domain(const Domain& box) {
 
 json with_dissipation(json law, const Dissipation& dissipation) {
   std::visit(Overloaded{[&](const Restitution& given) { law["restitution"] = given.value; },
-                        [&](const Damping& given) { law["damping"] = given.value; }},
+                        [&](const Damping& given) { law["damping"] = given.value; },
+                        [&](const DampingRatio& given) { law["damping_ratio"] = given.value; }},
              dissipation);
   return law;
 }
@@ -61,7 +62,8 @@ json history(const HistoryFriction& law) {
           {"damping_ratio", law.damping_ratio},
           {"limit", law.limit == CoulombLimit::spring ? "spring" : "spring_and_dashpot"},
           {"arm", law.arm == TorqueArm::radius ? "radius" : "overlap"},
-          {"turn", law.turn == SpringTurn::project ? "project" : "project_and_rescale"}};
+          {"turn", law.turn == SpringTurn::project ? "project" : "project_and_rescale"},
+          {"memory", law.memory == SpringMemory::displacement ? "displacement" : "force"}};
 }
 
 json friction(const FrictionLaw& law) {
@@ -88,6 +90,17 @@ json cohesion(const CohesionLaw& law) {
                     law);
 }
 
+json rolling(const RollingLaw& law) {
+  return std::visit(Overloaded{[](const NoRolling&) { return json(nullptr); },
+                               [](const ConstantTorqueRolling& given) {
+                                 return json{{"law", "constant_torque"}, {"coefficient", given.coefficient}};
+                               },
+                               [](const SpringRolling& given) {
+                                 return json{{"law", "spring"}, {"coefficient", given.coefficient}};
+                               }},
+                    law);
+}
+
 json contacts(const ContactTable& table) {
   json out = json::array();
   for (std::size_t a = 0; a < table.materials(); ++a)
@@ -97,7 +110,8 @@ json contacts(const ContactTable& table) {
       out.push_back({{"between", {b, a}},
                      {"normal", normal(laws.normal)},
                      {"friction", friction(laws.friction)},
-                     {"cohesion", cohesion(laws.cohesion)}});
+                     {"cohesion", cohesion(laws.cohesion)},
+                     {"rolling", rolling(laws.rolling)}});
     }
   return out;
 }
@@ -127,13 +141,37 @@ json particles(const std::vector<Particle>& all) {
   return out;
 }
 
+json motion(const WallMotion& how) {
+  return std::visit(Overloaded{[](const Still&) { return json(nullptr); },
+                               [](const Translating& given) {
+                                 return json{{"velocity", vector(given.velocity)}};
+                               },
+                               [](const Rotating& given) {
+                                 return json{{"rate", given.rate}};
+                               },
+                               [](const Vibrating& given) {
+                                 return json{{"amplitude", vector(given.amplitude)},
+                                             {"frequency", given.frequency},
+                                             {"phase", given.phase}};
+                               }},
+                    how);
+}
+
 json walls(const std::vector<Wall>& all) {
   json out = json::array();
   for (const Wall& wall : all) {
-    json& entry = out.emplace_back(json{{"name", wall.name}, {"material", wall.material}});
+    json& entry = out.emplace_back(
+        json{{"name", wall.name}, {"material", wall.material}, {"motion", motion(wall.motion)}});
     std::visit(
         Overloaded{[&](const Plane& plane) {
                      entry["plane"] = {{"point", vector(plane.point)}, {"normal", vector(plane.normal)}};
+                   },
+                   [&](const Cylinder& round) {
+                     entry["cylinder"] = {
+                         {"point", vector(round.point)},
+                         {"axis", vector(round.axis)},
+                         {"radius", round.radius},
+                         {"side", round.side == Cylinder::Side::inside ? "inside" : "outside"}};
                    },
                    [&](const Rectangle& flat) {
                      entry["rectangle"] = {{"lower", vector(flat.lower)}, {"upper", vector(flat.upper)}};

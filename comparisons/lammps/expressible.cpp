@@ -12,9 +12,14 @@ namespace {
 
 constexpr peers::HistoryVariant own{CoulombLimit::spring_and_dashpot, TorqueArm::radius, SpringTurn::project};
 
+bool is_elastic(const HertzNormal& normal) {
+  return std::visit(Overloaded{[](const Restitution& given) { return given.value == 1.0; },
+                               [](const auto& given) { return given.value == 0.0; }},
+                    normal.dissipation);
+}
+
 Support hertz_support(const HertzNormal& normal, const FrictionLaw& friction) {
-  const auto* given = std::get_if<Restitution>(&normal.dissipation);
-  if (!given || given->value != 1.0)
+  if (!is_elastic(normal))
     return Support::no(
         "the dashpot of LAMMPS' gran/hertz grows with the root of the overlap, not its fourth "
         "root, so only elastic contacts agree");
@@ -26,9 +31,11 @@ Support hertz_support(const HertzNormal& normal, const FrictionLaw& friction) {
 Support contact_support(const Scene& scene, const ContactLaws& laws) {
   if (std::holds_alternative<LinearCohesion>(laws.cohesion))
     return Support::no("LAMMPS' gran styles have no cohesion that reaches beyond the bodies");
+  if (!std::holds_alternative<NoRolling>(laws.rolling))
+    return Support::no("LAMMPS' gran styles have no rolling resistance");
   if (const auto* hertz = std::get_if<HertzNormal>(&laws.normal))
     if (const Support support = hertz_support(*hertz, laws.friction); !support) return support;
-  return peers::friction_support(scene, laws.friction, own, "LAMMPS");
+  return peers::friction_support(scene, laws, own, "LAMMPS");
 }
 
 template <class Alternative, class Member>

@@ -28,7 +28,10 @@ std::string of_pairs(const char* name, const TypeTable& table, const Value& valu
 
 std::string model(const Models& models) {
   return std::string("model ") + (models.hertz ? "hertz" : "hooke/stiffness") + " tangential " +
-         (models.history ? "history" : "no_history");
+         (models.history ? "history" : "no_history") +
+         (models.rolling == Rolling::off   ? ""
+          : models.rolling == Rolling::cdt ? " rolling_friction cdt"
+                                           : " rolling_friction epsd2");
 }
 
 std::string model_settings(const Models& models) {
@@ -65,7 +68,7 @@ std::string of_materials(const char* name, const Scene& scene, const TypeTable& 
 
 double restitution_between(const Scene& scene, const AtomType& a, const AtomType& b) {
   const ContactLaws* laws = peers::laws_between(scene, a, b);
-  return laws ? std::get<Restitution>(std::get<HertzNormal>(laws->normal).dissipation).value : 1.0;
+  return laws ? restitution_of(std::get<HertzNormal>(laws->normal).dissipation) : 1.0;
 }
 
 double friction_between(const Scene& scene, const AtomType& a, const AtomType& b) {
@@ -84,9 +87,24 @@ std::string hertz_properties(const Scene& scene, const TypeTable& table) {
                   [&](const AtomType& a, const AtomType& b) { return friction_between(scene, a, b); });
 }
 
+double rolling_between(const Scene& scene, const AtomType& a, const AtomType& b) {
+  const ContactLaws* laws = peers::laws_between(scene, a, b);
+  return laws ? std::visit(Overloaded{[](const NoRolling&) { return 0.0; },
+                                      [](const auto& rolling) { return rolling.coefficient; }},
+                           laws->rolling)
+              : 0.0;
+}
+
+std::string rolling_property(const Scene& scene, const TypeTable& table, const Models& models) {
+  if (models.rolling == Rolling::off) return {};
+  return of_pairs("coefficientRollingFriction", table,
+                  [&](const AtomType& a, const AtomType& b) { return rolling_between(scene, a, b); });
+}
+
 std::string contacts(const Scene& scene, const TypeTable& table, const Models& models) {
   return "pair_style gran " + model(models) + model_settings(models) + "\npair_coeff * *\n" +
-         (models.hertz ? hertz_properties(scene, table) : linear_properties(scene, table));
+         (models.hertz ? hertz_properties(scene, table) : linear_properties(scene, table)) +
+         rolling_property(scene, table, models);
 }
 
 std::string walls(const Scene& scene, const TypeTable& table, const Models& models) {

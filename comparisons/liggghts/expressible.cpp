@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparisons/liggghts/expressible.hpp"
 
+#include <cmath>
 #include <string>
 #include <variant>
 
@@ -16,9 +17,10 @@ constexpr peers::HistoryVariant own{CoulombLimit::spring, TorqueArm::overlap, Sp
 constexpr double least_restitution = 0.05;  // itself refused by LIGGGHTS
 
 Support hertz_support(const Scene& scene, const HertzNormal& law) {
-  const auto* given = std::get_if<Restitution>(&law.dissipation);
-  if (!given) return Support::no("LIGGGHTS' hertz has its dashpot from a restitution");
-  if (given->value <= least_restitution)
+  const double restitution = restitution_of(law.dissipation);
+  if (std::isnan(restitution))
+    return Support::no("LIGGGHTS' hertz has its dashpot from a restitution, and none is that strong");
+  if (restitution <= least_restitution)
     return Support::no("LIGGGHTS' hertz refuses a restitution of 0.05 or less");
   for (const Material& material : scene.materials)
     if (material.elasticity && material.elasticity->poisson_ratio < 0.0)
@@ -36,6 +38,7 @@ Support one_model(const Scene& scene) {
       return Support::no("LIGGGHTS has one tangential model for all contacts");
     if (other.no_tension != first.no_tension)
       return Support::no("LIGGGHTS limits the force of all contacts or of none");
+    if (other.rolling != first.rolling) return Support::no("LIGGGHTS has one rolling model for all contacts");
     if (other.hertz && other.tangential_damping != first.tangential_damping)
       return Support::no("LIGGGHTS' hertz damps all contacts along the tangent or none");
   }
@@ -53,7 +56,10 @@ Support contact_support(const Scene& scene, const ContactLaws& laws) {
     if (!history && !std::holds_alternative<Frictionless>(laws.friction))
       return Support::no("with hertz, LIGGGHTS is asked for history friction only");
   }
-  return peers::friction_support(scene, laws.friction, own, "LIGGGHTS");
+  if (std::holds_alternative<SpringRolling>(laws.rolling) &&
+      !std::holds_alternative<HistoryFriction>(laws.friction))
+    return Support::no("LIGGGHTS' epsd2 rolls on the tangential history's stiffness");
+  return peers::friction_support(scene, laws, own, "LIGGGHTS");
 }
 
 }  // namespace
@@ -73,6 +79,8 @@ std::string variant_of(const Scene& scene) {
     variant += "; tangential history: limit on the spring, arm r − δ/2, spring projected";
   else if (models.friction)
     variant += "; friction by tangential no_history, the static part as its damping";
+  if (models.rolling != Rolling::off)
+    variant += models.rolling == Rolling::cdt ? "; rolling_friction cdt" : "; rolling_friction epsd2";
   if (scene.rotation) variant += "; nve/sphere";
   if (std::holds_alternative<UniformFlow>(scene.flow)) variant += "; drag by viscous and addforce";
   return variant;

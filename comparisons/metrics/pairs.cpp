@@ -8,21 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "comparisons/metrics/walls.hpp"
+
 namespace grainproof {
 namespace {
-
-Vec3 nearest_point(const Wall& wall, const Vec3& x) {
-  if (const auto* plane = std::get_if<Plane>(&wall.shape))
-    return x - (x - plane->point).dot(plane->normal) * plane->normal;
-  const auto& rectangle = std::get<Rectangle>(wall.shape);
-  return x.cwiseMax(rectangle.lower).cwiseMin(rectangle.upper);
-}
-
-/// Signed for a plane, whose inside is negative.
-double wall_distance(const Wall& wall, const Vec3& x) {
-  if (const auto* plane = std::get_if<Plane>(&wall.shape)) return (x - plane->point).dot(plane->normal);
-  return (x - nearest_point(wall, x)).norm();
-}
 
 double radius(const Particle& particle, Surface surface) {
   return 0.5 * (surface == Surface::body ? particle.diameter : particle.effect_diameter);
@@ -72,21 +61,21 @@ Vec3 separation(const Domain& domain, const Vec3& from, const Vec3& to) {
 Vec3 normal(const Scene& scene, const Frame& frame, const Pair& pair) {
   const Vec3& x = frame.position[pair.second];
   if (pair.first) return separation(scene.domain, frame.position[*pair.first], x).normalized();
-  const Wall& wall = scene.walls[pair.wall];
-  if (const auto* plane = std::get_if<Plane>(&wall.shape)) return plane->normal;
-  return (x - nearest_point(wall, x)).normalized();
+  return facing(scene.walls[pair.wall], x, frame.time).normal;
 }
 
 double gap(const Scene& scene, const Frame& frame, const Pair& pair, Surface surface) {
   const Vec3& x = frame.position[pair.second];
   const double distance = pair.first ? separation(scene.domain, frame.position[*pair.first], x).norm()
-                                     : wall_distance(scene.walls[pair.wall], x);
+                                     : facing(scene.walls[pair.wall], x, frame.time).distance;
   return distance - reach(scene, pair, surface);
 }
 
 Vec3 relative_velocity(const Scene& scene, const Frame& frame, const Pair& pair) {
   const Vec3 v = velocity_of(scene, frame, pair.second);
-  return pair.first ? Vec3(v - velocity_of(scene, frame, *pair.first)) : v;
+  return v - (pair.first
+                  ? velocity_of(scene, frame, *pair.first)
+                  : facing(scene.walls[pair.wall], frame.position[pair.second], frame.time).surface_velocity);
 }
 
 Vec3 contact_velocity(const Scene& scene, const Frame& frame, const Pair& pair, const Vec3& normal) {
@@ -107,8 +96,10 @@ std::optional<double> time_to_touch(const Scene& scene, const Frame& frame, cons
   if (pair.first) {
     const Vec3 r = separation(scene.domain, frame.position[*pair.first], frame.position[pair.second]);
     time = sphere_touch(r, w, reach(scene, pair, surface));
-  } else if (const double approach = -w.dot(normal(scene, frame, pair)); approach > 0.0) {
-    time = gap(scene, frame, pair, surface) / approach;
+  } else {
+    const double wait = time_to_reach(scene.walls[pair.wall], frame.position[pair.second], frame.time, w,
+                                      reach(scene, pair, surface));
+    if (std::isfinite(wait)) time = wait;
   }
   if (time) *time *= direction;
   return time;

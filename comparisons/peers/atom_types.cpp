@@ -64,12 +64,14 @@ double damping_ratio(double restitution, bool no_tension) {
 }
 
 double damping_of(const LinearNormal& law, double mass) {
-  return std::visit(Overloaded{[](const Damping& given) { return given.value; },
-                               [&](const Restitution& given) {
-                                 return 2.0 * damping_ratio(given.value, law.no_tension) *
-                                        std::sqrt(mass * law.stiffness);
-                               }},
-                    law.dissipation);
+  return std::visit(
+      Overloaded{
+          [](const Damping& given) { return given.value; },
+          [&](const DampingRatio& given) { return 2.0 * given.value * std::sqrt(mass * law.stiffness); },
+          [&](const Restitution& given) {
+            return 2.0 * damping_ratio(given.value, law.no_tension) * std::sqrt(mass * law.stiffness);
+          }},
+      law.dissipation);
 }
 
 void add_friction(const FrictionLaw& friction, double step, PairParameters& pair) {

@@ -49,11 +49,15 @@ bool spans_domain(const Rectangle& rectangle, const Domain& domain) {
 
 Support wall_support(const Scene& scene, const std::string& program) {
   for (const Wall& wall : scene.walls) {
+    if (!std::holds_alternative<Still>(wall.motion))
+      return Support::no(program + " is asked for walls that stand still only");
     if (const auto* rectangle = std::get_if<Rectangle>(&wall.shape)) {
       if (!spans_domain(*rectangle, scene.domain))
         return Support::no(program + "'s flat walls have no edges");
       continue;
     }
+    if (std::holds_alternative<Cylinder>(wall.shape))
+      return Support::no(program + " is asked for flat walls only");
     const auto& plane = std::get<Plane>(wall.shape);
     if (plane.normal.cwiseAbs().maxCoeff() != 1.0)
       return Support::no(program + "'s flat walls lie along the axes");
@@ -62,6 +66,22 @@ Support wall_support(const Scene& scene, const std::string& program) {
         return Support::no("a particle starts behind a wall, which " + program +
                            " has solid from both sides");
   }
+  return {};
+}
+
+/// What is kept matters where the stiffness changes.
+Support memory_support(const ContactLaws& laws, const HistoryFriction& law, const std::string& program) {
+  const bool same =
+      law.memory == SpringMemory::displacement || std::holds_alternative<LinearNormal>(laws.normal);
+  return same ? Support{}
+              : Support::no(program + " keeps the displacement of the spring while a Hertz contact unloads");
+}
+
+Support start_support(const Scene& scene, const std::string& program) {
+  if (!scene.remembered.empty())
+    return Support::no(program + " starts every contact anew, without what it remembers");
+  if (scene.orientation != OrientationUpdate::none)
+    return Support::no(program + " keeps no orientation of spheres");
   return {};
 }
 
@@ -86,18 +106,20 @@ Support setting_support(const Scene& scene, const Request& request, const std::s
   if (request.ledger) return Support::no(program + " keeps no energy and impulse ledger");
   for (const Support& support :
        {integrator_support(scene.run.integrator, program), gravity_support(scene.gravity, program),
-        flow_support(scene.flow, program), wall_support(scene, program)})
+        flow_support(scene.flow, program), wall_support(scene, program), start_support(scene, program)})
     if (!support) return support;
   if (atom_types(scene).types.size() > most_types)
     return Support::no("more than " + std::to_string(most_types) + " kinds of particles and walls");
   return {};
 }
 
-Support friction_support(const Scene& scene, const FrictionLaw& friction, const HistoryVariant& own,
+Support friction_support(const Scene& scene, const ContactLaws& laws, const HistoryVariant& own,
                          const std::string& program) {
-  if (const auto* law = std::get_if<HistoryFriction>(&friction))
-    return history_support(scene, *law, own, program);
-  if (scene.rotation && own.arm != TorqueArm::radius && !std::holds_alternative<Frictionless>(friction))
+  if (const auto* law = std::get_if<HistoryFriction>(&laws.friction)) {
+    const Support memory = memory_support(laws, *law, program);
+    return memory ? history_support(scene, *law, own, program) : memory;
+  }
+  if (scene.rotation && own.arm != TorqueArm::radius && !std::holds_alternative<Frictionless>(laws.friction))
     return Support::no(program + " turns spheres at their radius less half the overlap");
   return {};
 }

@@ -20,7 +20,7 @@ struct HistoryVariant {
 
 /// Whether friction is what `program` has as `own`. What makes no difference is not asked for: the limit
 /// without a tangential dashpot, the arm without rotation. Friction without a history has the arm r.
-Support friction_support(const Scene& scene, const FrictionLaw& friction, const HistoryVariant& own,
+Support friction_support(const Scene& scene, const ContactLaws& laws, const HistoryVariant& own,
                          const std::string& program);
 
 }  // namespace grainproof::peers

@@ -149,7 +149,9 @@ TEST(External, SceneFileHoldsHertzContactsWithTheirHistory) {
   EXPECT_EQ(read["contacts"][0]["normal"], (nlohmann::json{{"law", "hertz"}, {"restitution", 0.7}}));
   EXPECT_EQ(read["contacts"][0]["friction"]["limit"], "spring");
   EXPECT_EQ(read["contacts"][0]["friction"]["arm"], "overlap");
-  EXPECT_EQ(read["contacts"][0]["friction"]["turn"], "project_and_rescale");
+  EXPECT_EQ(read["contacts"][0]["friction"]["turn"], "project");
+  EXPECT_EQ(read["contacts"][0]["friction"]["memory"], "displacement");
+  EXPECT_TRUE(read["contacts"][0]["rolling"].is_null());
 }
 
 }  // namespace
