@@ -180,5 +180,20 @@ TEST(Hertz, DashpotsAreTsujis) {
   EXPECT_NEAR(force.friction.y(), -0.2 * shear_eta, 1e-12 * push);
 }
 
+// Bilock 4.4 and 4.6: 2 γ sqrt(m k) with k 2 E* a and, halved by the friction's own ratio, 8 G* a.
+TEST(Hertz, DampingRatioIsAShareOfTheStiffnessesOfTheMoment) {
+  Scene scene = empty_scene({}, 1e-5);
+  scene.materials[0].elasticity = Elasticity{1.5e9, 0.25};
+  scene.contacts.set(0, 0,
+                     {.normal = HertzNormal{DampingRatio{0.2}}, .friction = HistoryFriction{0.5, 0.0, 0.5}});
+  const auto laws = reference::resolve(scene, 0, 0);
+  reference::ContactSprings springs;
+  const reference::ContactPoint moving{Vec3::UnitX(), 1e-4, {-0.3, 0.2, 0.0}, 0.01, 0.04};
+  const auto force = contact_force(laws, moving, 0.0, springs);
+  const double push = 4.0 / 3.0 * 0.8e9 * 2e-3 * 1e-4;
+  EXPECT_NEAR(force.normal - push, 0.3 * 0.4 * std::sqrt(0.01 * 2.0 * 0.8e9 * 2e-3), 1e-12 * push);
+  EXPECT_NEAR(force.friction.y(), -0.2 * 0.2 * std::sqrt(0.01 * 8.0 * (1.5e9 / 8.75) * 2e-3), 1e-12 * push);
+}
+
 }  // namespace
 }  // namespace grainproof::testing

@@ -7,11 +7,13 @@
 namespace grainproof::testing {
 namespace {
 
-/// Turning, rubbing, sticky spheres of three sizes, filling a box that is periodic along x or closed.
+/// Turning, rubbing, rolling, sticky spheres of three sizes, filling a box that is periodic along x or
+/// closed, with a shaken floor and a rod that travels.
 Scene crowd(bool periodic) {
   ContactLaws laws = linear(1e5, Restitution{0.6});
   laws.friction = HistoryFriction{0.4, 8e4, 0.5};
   laws.cohesion = LinearCohesion{2e3};
+  laws.rolling = SpringRolling{0.05};
   Scene scene = empty_scene(laws, 5e-5);
   scene.rotation = true;
   scene.domain = {.lower = Vec3::Zero(), .upper = Vec3::Constant(0.6)};
@@ -20,6 +22,9 @@ Scene crowd(bool periodic) {
     scene.domain.boundary[0] = Boundary::periodic;
     scene.walls.erase(scene.walls.begin(), scene.walls.begin() + 2);
   }
+  scene.walls[scene.walls.size() - 2].motion = Vibrating{{0.0, 0.0, 0.01}, 20.0, 0.0};
+  const Cylinder rod{{0.3, 0.3, 0.0}, Vec3::UnitX(), 0.03, Cylinder::Side::outside};
+  scene.walls.push_back({"rod", 0, rod, Translating{{0.0, 0.2, 0.5}}});
   scene.gravity = ConstantGravity{{2.0, 0.0, -9.81}};
   Random random(11);
   for (int i = 0; i < 64; ++i) {

@@ -113,5 +113,18 @@ TEST(NormalLaw, ClampedContactReboundsWithTheRestitutionAskedFor) {
   }
 }
 
+// 2 · 0.3 · sqrt(m/2 · k) with equal masses; the same dashpot as Damping of that value.
+TEST(NormalLaw, DampingRatioIsAShareOfTheCriticalDashpot) {
+  const auto approaching = [](Dissipation dissipation) {
+    Scene scene = empty_scene(linear(1e4, dissipation), 1e-6);
+    add_particle(scene, 0.1, {-0.0495, 0.0, 0.0}, {0.5, 0.0, 0.0});
+    add_particle(scene, 0.1, {0.0495, 0.0, 0.0}, {-0.5, 0.0, 0.0});
+    return force_on(scene, 1).x();
+  };
+  const double eta = 2.0 * 0.3 * std::sqrt(0.5 * sphere_mass(0.1) * 1e4);
+  EXPECT_NEAR(approaching(DampingRatio{0.3}), 10.0 + eta, 1e-9);
+  EXPECT_NEAR(approaching(DampingRatio{0.3}), approaching(Damping{eta}), 1e-9);
+}
+
 }  // namespace
 }  // namespace grainproof::testing

@@ -139,6 +139,44 @@ TEST(Supports, LinearContactNeedsATangentialStiffnessForHistory) {
   expect_refused(scene, "tangential stiffness");
 }
 
+TEST(Supports, OnlyPlanesAndCylindersTurnAndOnlyWhereTheyHaveNoPeriod) {
+  Scene scene = small_scene();
+  scene.walls.push_back({"table", 0, Plane{{0.0, 0.0, -1.0}, Vec3::UnitZ()}, Rotating{1.0}});
+  EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
+  scene.domain.boundary[0] = Boundary::periodic;
+  expect_refused(scene, "'table' cannot turn");
+  scene.domain.boundary[0] = Boundary::open;
+  scene.walls[0].shape = Rectangle{{-1.0, -1.0, -1.0}, {1.0, 1.0, -1.0}};
+  expect_refused(scene, "rectangle");
+}
+
+TEST(Supports, CylinderFollowsThePeriodAndHoldsTheLargestParticle) {
+  Scene scene = small_scene();
+  scene.domain.boundary[0] = Boundary::periodic;
+  scene.walls.push_back({"pipe", 0, Cylinder{Vec3::Zero(), Vec3::UnitX(), 0.5, Cylinder::Side::inside}});
+  EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
+  scene.walls[0].shape = Cylinder{Vec3::Zero(), Vec3::UnitY(), 0.5, Cylinder::Side::inside};
+  expect_refused(scene, "periodic x axis");
+  scene.walls[0].shape = Cylinder{Vec3::Zero(), Vec3::UnitX(), 0.1, Cylinder::Side::inside};
+  expect_refused(scene, "does not fit into the cylinder");
+}
+
+TEST(Supports, WhatTurnsNeedsRotation) {
+  Scene scene = small_scene();
+  scene.orientation = OrientationUpdate::exponential;
+  expect_refused(scene, "orientations need");
+  scene.orientation = OrientationUpdate::none;
+  ContactLaws laws = scene.contacts.at(0, 0);
+  laws.rolling = SpringRolling{0.1};
+  scene.contacts.set(0, 0, laws);
+  expect_refused(scene, "needs a scene with rotation");
+  scene.rotation = true;
+  expect_refused(scene, "friction with history");
+  laws.friction = HistoryFriction{0.3, 1e3, 0.0};
+  scene.contacts.set(0, 0, laws);
+  EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
+}
+
 TEST(Provenance, NamesEngineAndPrecision) {
   const reference::ReferenceEngine engine;
   EXPECT_EQ(engine.name(), "reference");
