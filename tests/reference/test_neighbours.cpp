@@ -144,6 +144,19 @@ TEST(Neighbours, ListWithoutSkinIsRebuiltWheneverSomethingMoves) {
   EXPECT_EQ(rebuilds_after(20, 0.0, Vec3::Zero()), 0);
 }
 
+// 16 steps of 1/64 m in which nothing else moves.
+TEST(Neighbours, WallThatComesFromAfarIsNotMissed) {
+  Scene scene = empty_scene(linear(1e3, Damping{0.0}), 1.0 / 64.0);
+  scene.run.neighbours = NeighbourSearch::verlet_list;
+  scene.run.skin = 2.0 / 64.0;
+  scene.walls.push_back({"piston", 0, Plane{{-0.25, 0.0, 0.0}, Vec3::UnitX()}, Translating{{1.0, 0.0, 0.0}}});
+  add_particle(scene, 0.1, {0.045, 0.0, 0.0});
+  add_particle(scene, 0.1, {5.0, 0.0, 0.0});
+  const auto run = start(scene);
+  run->advance(16);
+  EXPECT_GT(run->frame().velocity[0].x(), 0.0);
+}
+
 TEST(Neighbours, OneParticleIsNeverSearchedFor) {
   Scene scene = empty_scene(linear(1e3, Damping{0.0}), 1e-2);
   scene.run.neighbours = NeighbourSearch::cells;
