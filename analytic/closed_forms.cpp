@@ -7,7 +7,7 @@
 #include <chrono>
 #include <string>
 
-#include "analytic/solution.hpp"
+#include "analytic/periodic.hpp"
 #include "model/errors.hpp"
 
 namespace grainproof::analytic {
@@ -16,9 +16,10 @@ namespace {
 struct Row {
   std::string_view name;
   Solution (*solve)(const Scene& scene, double until);
+  bool of_periods = false;  ///< solves periodic domains by itself
 };
 
-constexpr std::array<Row, 11> table{{
+constexpr std::array<Row, 17> table{{
     {"drag", drag},
     {"free_fall", free_fall},
     {"normal_collision", normal_collision},
@@ -30,6 +31,12 @@ constexpr std::array<Row, 11> table{{
     {"hertz_collision", hertz_collision},
     {"rolling", rolling},
     {"gross_sliding", gross_sliding},
+    {"stick_slip", stick_slip},
+    {"rolling_resistance", rolling_resistance},
+    {"stacked", stacked},
+    {"shaken", shaken},
+    {"drum", drum},
+    {"haff", haff, true},
 }};
 
 std::vector<double> times_of(const Scene& scene, const Request& request) {
@@ -44,7 +51,8 @@ Solution solved(const Row& row, const Scene& scene, const Request& request) {
   if (request.ledger) return Solution::no("a closed form keeps no ledger");
   const std::vector<double> times = times_of(scene, request);
   const double last = times.empty() ? 0.0 : *std::max_element(times.begin(), times.end());
-  return row.solve(scene, std::max(scene.run.end, last));
+  const double until = std::max(scene.run.end, last);
+  return row.of_periods ? row.solve(scene, until) : solve_away_from_faces(row.solve, scene, until);
 }
 
 Observations observed(const Row& row, const Scene& scene, const Request& request) {

@@ -86,6 +86,20 @@ double contact_duration(double stiffness, double damping, double mass) {
   return ratio >= 1.0 ? undamped : undamped / std::sqrt((1.0 - ratio) * (1.0 + ratio));
 }
 
+namespace {
+
+/// How fast a wall comes at a particle; turning within itself, it does not.
+double speed_of(const WallMotion& motion) {
+  return std::visit(Overloaded{[](const Translating& translating) { return translating.velocity.norm(); },
+                               [](const Vibrating& vibrating) {
+                                 return 2.0 * pi * vibrating.frequency * vibrating.amplitude.norm();
+                               },
+                               [](const auto&) { return 0.0; }},
+                    motion);
+}
+
+}  // namespace
+
 ClosingSpeeds::ClosingSpeeds(const Scene& scene, std::optional<double> impact_speed)
     : of_pairs(0.0), on_walls(0.0) {
   double second = 0.0;
@@ -95,6 +109,9 @@ ClosingSpeeds::ClosingSpeeds(const Scene& scene, std::optional<double> impact_sp
     on_walls = std::max(on_walls, speed);
   }
   of_pairs = on_walls + second;
+  double fastest_wall = 0.0;
+  for (const Wall& wall : scene.walls) fastest_wall = std::max(fastest_wall, speed_of(wall.motion));
+  on_walls += fastest_wall;
   if (impact_speed) of_pairs = on_walls = *impact_speed;
 }
 

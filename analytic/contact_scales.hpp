@@ -41,7 +41,7 @@ struct ContactScale {
 };
 
 /// How fast bodies can meet, m/s: the sum of the two largest speeds at the start for two particles, the
-/// largest for a particle and a wall; `impact_speed` for both where it is given.
+/// largest and the fastest wall's for a particle and a wall; `impact_speed` for both where it is given.
 struct ClosingSpeeds {
   double of_pairs;
   double on_walls;

@@ -58,7 +58,8 @@ Recognised with_wall(const Scene& scene, const Vec3& gravity) {
   if (!scene.contacts.has(sphere.material, wall.material))
     return no("the sphere and the wall have no contact laws");
   if (std::holds_alternative<Cylinder>(wall.shape)) return no("the wall is a cylinder");
-  if (!std::holds_alternative<Still>(wall.motion)) return no("the wall moves");
+  const auto velocity = wall_velocity(wall);
+  if (!velocity) return no("the wall vibrates or turns");
   Encounter e;
   const Face face = face_of(wall.shape, sphere.position);
   if (!(face.distance > 0.0)) return no("the sphere's centre is not in front of the wall");
@@ -68,7 +69,8 @@ Recognised with_wall(const Scene& scene, const Vec3& gravity) {
   e.mass = mass_of(scene, sphere);
   e.touching = 0.5 * sphere.diameter;
   e.centre = sphere.position - face.distance * face.normal;
-  set_relative_motion(e, sphere.velocity, gravity, face.distance,
+  e.centre_velocity = *velocity;
+  set_relative_motion(e, sphere.velocity - *velocity, gravity, face.distance,
                       0.5 * (sphere.effect_diameter - sphere.diameter));
   if (!over_wall(e, Vec3::Zero())) return no("the sphere does not stand over the wall's face");
   return {{}, e};
@@ -125,17 +127,17 @@ double Encounter::cohesion_stiffness() const {
 }
 
 Recognised recognise_bodies(const Scene& scene) {
+  return without_rolling(recognise_rolling(scene));
+}
+
+Recognised recognise_rolling(const Scene& scene) {
   if (!scene.remembered.empty()) return no("contacts remember something at the start");
   if (scene.orientation != OrientationUpdate::none) return no("orientations are asked for");
   if (!std::holds_alternative<NoFlow>(scene.flow)) return no("a fluid acts on the particles");
   const auto* gravity = std::get_if<ConstantGravity>(&scene.gravity);
   if (!gravity) return no("gravity is not constant");
-  for (int axis = 0; axis < 3; ++axis)
-    if (scene.domain.periodic(axis)) return no("the domain is periodic");
-  if (scene.particles.size() == 1 && scene.walls.size() == 1)
-    return without_rolling(with_wall(scene, gravity->acceleration));
-  if (scene.particles.size() == 2 && scene.walls.empty())
-    return without_rolling(of_pair(scene, gravity->acceleration));
+  if (scene.particles.size() == 1 && scene.walls.size() == 1) return with_wall(scene, gravity->acceleration);
+  if (scene.particles.size() == 2 && scene.walls.empty()) return of_pair(scene, gravity->acceleration);
   return no("found " + std::to_string(scene.particles.size()) + " particles and " +
             std::to_string(scene.walls.size()) + " walls; expected one and one, or two particles alone");
 }
@@ -146,9 +148,26 @@ Recognised recognise(const Scene& scene) {
   const Encounter& e = found.encounter;
   if (!std::holds_alternative<LinearNormal>(e.laws.normal)) return no("the contact is not linear but Hertz'");
   if (!scene.rotation || std::holds_alternative<Frictionless>(e.laws.friction)) return found;
-  for (const Particle& particle : scene.particles)
-    if (!particle.angular_velocity.isZero(0.0)) return no("a particle spins, and friction acts");
+  if (spins_rub(scene, e)) return no("a particle spins, and friction acts");
   return head_on(e) ? found : no("friction makes the bodies turn");
+}
+
+std::optional<Vec3> wall_velocity(const Wall& wall) {
+  if (const auto* translating = std::get_if<Translating>(&wall.motion)) return translating->velocity;
+  return std::holds_alternative<Still>(wall.motion) ? std::optional<Vec3>(Vec3::Zero()) : std::nullopt;
+}
+
+bool spins_rub(const Scene& scene, const Encounter& e) {
+  const Particle& two = scene.particles[e.second];
+  Vec3 of_surfaces = 0.5 * two.diameter * two.angular_velocity, of_bodies = two.angular_velocity;
+  if (e.first) {
+    const Particle& one = scene.particles[*e.first];
+    of_surfaces += 0.5 * one.diameter * one.angular_velocity;
+    of_bodies += one.angular_velocity;
+  }
+  const auto* history = std::get_if<HistoryFriction>(&e.laws.friction);
+  const bool shortened = history && history->arm == TorqueArm::overlap;
+  return !of_surfaces.cross(e.normal).isZero(0.0) || (shortened && !of_bodies.cross(e.normal).isZero(0.0));
 }
 
 bool starts_in_contact(const Encounter& e) {

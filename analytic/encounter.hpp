@@ -23,7 +23,8 @@ struct Encounter {
   Vec3 slip = Vec3::Zero();            ///< velocity of body 2 relative to body 1 across the normal
   double gravity = 0.0;                ///< relative acceleration along the normal, m/s²
   Vec3 gravity_across = Vec3::Zero();  ///< relative acceleration across the normal
-  Vec3 centre = Vec3::Zero();          ///< of mass, or the immovable partner, or the foot on the wall
+  Vec3 centre =
+      Vec3::Zero();  ///< of mass, or the immovable partner, or the foot on the wall, which it follows
   Vec3 centre_velocity = Vec3::Zero();
   Vec3 centre_acceleration = Vec3::Zero();
   double first_share = 0.0;   ///< body 1 lies at centre − share · separation
@@ -40,12 +41,22 @@ struct Recognised {
   Encounter encounter;
 };
 
-/// One free sphere and one wall, or two spheres of which at least one is free; no flow, constant
-/// gravity, no periodic axis. Any laws, spinning or not.
+/// One free sphere and one wall that moves evenly or not at all, or two spheres of which at least one is
+/// free; no flow, constant gravity. Any laws but those of rolling, spinning or not.
 Recognised recognise_bodies(const Scene& scene);
+
+/// The same with laws of rolling.
+Recognised recognise_rolling(const Scene& scene);
 
 /// The same where the linear normal law holds and nothing can make the bodies turn.
 Recognised recognise(const Scene& scene);
+
+/// Of a wall that doesn't move, or moves evenly; none where it vibrates or turns.
+std::optional<Vec3> wall_velocity(const Wall& wall);
+
+/// Whether spins move the surfaces against each other where they touch. Two equal spheres that turn
+/// oppositely roll on each other, and a spin about the normal rubs nowhere.
+bool spins_rub(const Scene& scene, const Encounter& encounter);
 
 /// No velocity across the normal, to round-off of the positions that define it.
 bool head_on(const Encounter& encounter);

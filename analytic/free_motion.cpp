@@ -124,8 +124,15 @@ std::string what_might_meet(const Scene& scene, const std::vector<Flight>& fligh
   return {};
 }
 
+/// From no turn at all, about a steady axis (rotation.12).
+Quaternion turned(const Vec3& angle) {
+  const double size = angle.norm();
+  return size > 0.0 ? Quaternion(Eigen::AngleAxisd(size, angle / size)) : Quaternion::Identity();
+}
+
 /// Nothing in flight changes a spin.
-Frame frame_of_flights(const std::vector<Flight>& flights, double time, double step, bool rotation) {
+Frame frame_of_flights(const std::vector<Flight>& flights, double time, double step, bool rotation,
+                       bool orientation) {
   Frame frame;
   frame.step = step_at_or_after(time, step);
   frame.time = time;
@@ -138,7 +145,9 @@ Frame frame_of_flights(const std::vector<Flight>& flights, double time, double s
     }
     frame.position.push_back(position);
     frame.velocity.push_back(velocity);
-    if (rotation) frame.angular_velocity.push_back(flight.particle().angular_velocity);
+    const Vec3& spin = flight.particle().angular_velocity;
+    if (rotation) frame.angular_velocity.push_back(spin);
+    if (orientation) frame.orientation.push_back(turned(time * spin));
   }
   return frame;
 }
@@ -146,9 +155,6 @@ Frame frame_of_flights(const std::vector<Flight>& flights, double time, double s
 }  // namespace
 
 Solution free_motion(const Scene& scene, const Vec3& gravity, const UniformFlow& flow, double until) {
-  if (scene.orientation != OrientationUpdate::none) return Solution::no("orientations are asked for");
-  for (int axis = 0; axis < 3; ++axis)
-    if (scene.domain.periodic(axis)) return Solution::no("the domain is periodic");
   if (scene.particles.size() > most_particles)
     return Solution::no("found " + std::to_string(scene.particles.size()) +
                         " particles; expected at most 1000");
@@ -160,8 +166,9 @@ Solution free_motion(const Scene& scene, const Vec3& gravity, const UniformFlow&
   if (const std::string because = what_might_meet(scene, flights, until); !because.empty())
     return Solution::no(because);
   Solution solution;
-  solution.frame_at = [flights, step = scene.run.step, rotation = scene.rotation](double time) {
-    return frame_of_flights(flights, time, step, rotation);
+  solution.frame_at = [flights, step = scene.run.step, rotation = scene.rotation,
+                       orientation = scene.orientation != OrientationUpdate::none](double time) {
+    return frame_of_flights(flights, time, step, rotation, orientation);
   };
   return solution;
 }

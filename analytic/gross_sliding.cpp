@@ -10,8 +10,9 @@
 #include "analytic/passage_solution.hpp"
 #include "analytic/turning.hpp"
 
-/// A sphere that turns strikes a wall obliquely and slides throughout, without gravity: rotation.9 and
-/// rotation.10; Chung and Ooi (2011), cases 5 and 6.
+/// A sphere that turns strikes a wall obliquely, or a fixed sphere head-on, and slides throughout, without
+/// gravity: rotation.9 and rotation.10; Chung and Ooi (2011), cases 5, 6 and 8. Exact on a wall; on a
+/// sphere it takes the normal as fixed.
 namespace grainproof::analytic {
 namespace {
 
@@ -46,7 +47,12 @@ Impact hertz_impact(const Scene& scene, const Encounter& e) {
           passage.duration()};
 }
 
+/// On a sphere whose line of centres turns further than this it is refused rather than approximated.
+constexpr double largest_turn = 0.01;  // rad
+
 std::string why_not(const Scene& scene, const Encounter& e) {
+  if (e.first && !scene.particles[*e.first].fixed) return "both spheres move";
+  if (e.first && !head_on(e)) return "the velocity is not along the line of centres";
   if (std::string because = why_not_turning(scene, e); !because.empty()) return because;
   if (e.gravity != 0.0 || !e.gravity_across.isZero(0.0)) return "gravity acts";
   if (starts_in_contact(e)) return "the sphere starts in contact";
@@ -103,6 +109,8 @@ Solution gross_sliding(const Scene& scene, double until) {
   const auto path_at = [=](double time) -> Vec3 {
     return time * e.slip + taken_at(time).position * direction;
   };
+  if (e.first && path_at(onset + impact.duration).norm() > largest_turn * e.touching)
+    return Solution::no("the line of centres turns by more than 0.01 rad");
   if (!over_wall(e, path_at(onset)) || !over_wall(e, path_at(std::min(until, onset + impact.duration))))
     return Solution::no("the sphere runs off the wall's edge");
   Solution solution;

@@ -16,9 +16,8 @@ std::string why_not(const Scene& scene, const Encounter& e) {
   if (e.cohesion_stiffness() > 0.0) return "cohesion acts";
   if (e.gravity != 0.0 || !e.gravity_across.isZero(0.0)) return "gravity acts";
   if (!slides_freely(e)) return "the velocity is not along the line of centres";
-  if (!std::holds_alternative<Frictionless>(e.laws.friction))
-    for (const Particle& particle : scene.particles)
-      if (!particle.angular_velocity.isZero(0.0)) return "a particle spins, and friction acts";
+  if (!std::holds_alternative<Frictionless>(e.laws.friction) && spins_rub(scene, e))
+    return "a particle spins, and friction acts";
   if (starts_in_contact(e)) return "the bodies start in contact";
   return e.gap.velocity < 0.0 ? "" : "the bodies never touch";
 }

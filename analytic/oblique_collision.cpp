@@ -32,6 +32,14 @@ std::optional<double> touching_time(const Encounter& e) {
 Scene moved_to(double time, Scene scene) {
   for (Particle& particle : scene.particles)
     if (!particle.fixed) particle.position += time * particle.velocity;
+  for (Wall& wall : scene.walls)
+    if (const Vec3 shift = time * wall_velocity(wall).value(); !shift.isZero(0.0))
+      std::visit(Overloaded{[&](Rectangle& rectangle) {
+                              rectangle.lower += shift;
+                              rectangle.upper += shift;
+                            },
+                            [&](auto& shape) { shape.point += shift; }},
+                 wall.shape);
   return scene;
 }
 

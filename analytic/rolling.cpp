@@ -67,6 +67,7 @@ bool damped(const Encounter& e) {
 }
 
 std::string why_not(const Scene& scene, const Encounter& e) {
+  if (e.first) return "there is no wall to turn on";
   if (std::string because = why_not_turning(scene, e); !because.empty()) return because;
   if (damped(e)) return "the tangential spring is damped";
   if (std::string because = why_no_rest(e); !because.empty()) return because;

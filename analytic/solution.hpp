@@ -22,13 +22,19 @@ struct Solution {
 Solution bounce(const Scene& scene, double until);
 Solution cohesive_collision(const Scene& scene, double until);
 Solution drag(const Scene& scene, double until);
+Solution drum(const Scene& scene, double until);
 Solution free_fall(const Scene& scene, double until);
 Solution gross_sliding(const Scene& scene, double until);
+Solution haff(const Scene& scene, double until);
 Solution hertz_collision(const Scene& scene, double until);
 Solution normal_collision(const Scene& scene, double until);
 Solution oblique_collision(const Scene& scene, double until);
 Solution rolling(const Scene& scene, double until);
+Solution rolling_resistance(const Scene& scene, double until);
 Solution settling(const Scene& scene, double until);
+Solution shaken(const Scene& scene, double until);
 Solution sliding(const Scene& scene, double until);
+Solution stacked(const Scene& scene, double until);
+Solution stick_slip(const Scene& scene, double until);
 
 }  // namespace grainproof::analytic

@@ -47,9 +47,11 @@ std::string described(const ContactScale& scale) {
   return text.str();
 }
 
-/// A force at the point of contact of two spheres moves that point by 1/m + r²/I of each (rotation.4).
-double turning_of(const Scene& scene) {
-  return scene.rotation ? 3.5 : 1.0;
+/// A force at the point of contact of two spheres moves that point by 1/m + r²/I of each (rotation.4); a
+/// spring against rolling stiffens the quickest motion of both (rolling.9).
+double turning_of(const Scene& scene, const ContactLaws& laws) {
+  if (!scene.rotation) return 1.0;
+  return std::holds_alternative<SpringRolling>(laws.rolling) ? 3.0 + std::sqrt(6.5) : 3.5;
 }
 
 /// The tangential spring of a lasting contact (history.8).
@@ -61,7 +63,8 @@ double spring_limit(const Scene& scene, const PossibleContact& contact, const Co
     stiffness = pair.tangential_stiffness(scale.peak_overlap);
     eta = friction.damping_ratio * pair.damping(stiffness);
   }
-  return pair_stability_limit(scene.run.integrator, contact.mass / turning_of(scene), stiffness, eta, drag);
+  return pair_stability_limit(scene.run.integrator, contact.mass / turning_of(scene, *contact.laws),
+                              stiffness, eta, drag);
 }
 
 double friction_limit(const Scene& scene, const PossibleContact& contact, const ContactScale& scale,
@@ -72,7 +75,7 @@ double friction_limit(const Scene& scene, const PossibleContact& contact, const 
   const auto* linear = std::get_if<LinearNormal>(&contact.laws->normal);
   return creep_limit(scene.run.integrator, contact.mass,
                      linear ? *linear : LinearNormal{scale.stiffness, Damping{scale.damping}},
-                     contact.laws->friction, drag, turning_of(scene));
+                     contact.laws->friction, drag, turning_of(scene, *contact.laws));
 }
 
 /// Every condition is monotonic in the drag rate, so the two partners' rates bracket the pair's.

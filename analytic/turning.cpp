@@ -33,7 +33,6 @@ Rub rub_of(const Scene& scene, const Encounter& e, double overlap) {
 
 std::string why_not_turning(const Scene& scene, const Encounter& e) {
   if (!scene.rotation) return "nothing turns in this scene";
-  if (e.first) return "there is no wall to turn on";
   if (e.cohesion_stiffness() > 0.0) return "cohesion acts";
   if (std::holds_alternative<DynamicFriction>(e.laws.friction)) return "";
   const auto* history = std::get_if<HistoryFriction>(&e.laws.friction);

@@ -3,7 +3,7 @@
 #pragma once
 #include "analytic/encounter.hpp"
 
-/// A sphere that turns against a wall: docs/laws/rotation.md.
+/// A sphere that turns against a wall, or a fixed sphere: docs/laws/rotation.md.
 namespace grainproof::analytic {
 
 /// The slip of a sphere on a wall, spin included, with the radius as its torque arm (rotation.2).
@@ -20,7 +20,7 @@ struct Rub {
   double stiffness;
 };
 
-/// Dynamic friction, or an undamped spring with arm r, at this overlap. `why_not` says why not.
+/// Dynamic friction, or an undamped spring with arm r, at this overlap. `why_not_turning` says why not.
 Rub rub_of(const Scene& scene, const Encounter& encounter, double overlap);
 std::string why_not_turning(const Scene& scene, const Encounter& encounter);
 

@@ -63,6 +63,9 @@ void check_period(const Wall& wall, const Node& place, int axis, const Scene& sc
   const bool rectangle = std::holds_alternative<Rectangle>(wall.shape);
   if (moves_along(wall.motion, axis) && (rectangle || !reach.endless))
     place.refuse("wall " + wall.name + " moving along a periodic axis", "a motion across it");
+  if (std::holds_alternative<Plane>(wall.shape) && std::holds_alternative<Rotating>(wall.motion))
+    place.refuse("wall " + wall.name + " turning in a periodic domain",
+                 "a cylinder along the periodic axis, since a plane turns about one point");
   if (reach.endless) return;
   if (reach.beyond || reach.low < domain.lower[axis] || reach.high > domain.upper[axis])
     place.refuse("wall " + wall.name + " cut by a periodic face",
