@@ -7,85 +7,101 @@
 #include <string>
 
 #include "comparisons/metrics/bed.hpp"
+#include "comparisons/metrics/bulk.hpp"
 #include "comparisons/metrics/collision.hpp"
 #include "comparisons/metrics/curves.hpp"
 #include "comparisons/metrics/invariants.hpp"
 #include "comparisons/metrics/resting.hpp"
+#include "comparisons/metrics/turning.hpp"
 
 namespace grainproof {
 namespace {
 
-using Derivation = Measured (*)(const Scene&, const Observations&);
+constexpr std::string_view exact_value_itself = "the exact value";
 
-/// What the exact side says by name, or else what its frames say.
-template <Derivation derive>
-Measured scalar(const char* name, const Scene& scene, const Observations& seen, const Observations& exact,
-                double zero_scale = 0.0) {
-  const auto told = exact.scalars.find(name);
-  if (told == exact.scalars.end() && exact.frames.empty())
-    return Measured::none(std::string("the exact solution does not say \"") + name + "\"");
-  const Measured right = told != exact.scalars.end() ? Measured::of(told->second) : derive(scene, exact);
-  return relative_error(derive(scene, seen), right, zero_scale);
+constexpr Quantity number(std::string_view name, Quantity::Value value) {
+  return {.name = name, .relative_to = exact_value_itself, .value = value};
 }
 
-using S = Scene;
-using O = Observations;
+constexpr Quantity number_of_every_step(std::string_view name, Quantity::Value value) {
+  return {.name = name, .relative_to = exact_value_itself, .value = value, .every_step = true};
+}
 
-constexpr bool every_step = true;
-constexpr bool ledger = true;
-constexpr bool curve = true;
-constexpr bool no = false;
+constexpr Quantity number_of_ledger(std::string_view name, Quantity::Value value) {
+  return {.name = name, .relative_to = exact_value_itself, .value = value, .ledger = true};
+}
+
+constexpr Quantity curve(std::string_view name, std::string_view relative_to, Quantity::Compare compare) {
+  return {.name = name, .relative_to = relative_to, .compare = compare, .curve = true};
+}
+
+constexpr Quantity invariant(std::string_view name, std::string_view relative_to, Quantity::Compare compare,
+                             bool ledger) {
+  return {.name = name, .relative_to = relative_to, .compare = compare, .ledger = ledger};
+}
+
+constexpr Quantity searched(std::string_view name, Quantity::Search search) {
+  return {.name = name, .relative_to = exact_value_itself, .search = search};
+}
 
 const std::array table{
-    Quantity{"position", "the longest path of a particle", no, no, curve, position_error},
-    Quantity{"velocity", "the largest exact speed", no, no, curve, velocity_error},
-    Quantity{"angular_velocity", "the largest exact spin, or speed over radius where nothing turns", no, no,
-             curve, angular_velocity_error},
-    Quantity{"kinetic_energy", "its largest exact value", no, no, curve, kinetic_energy_error},
-    Quantity{"restitution", "the exact value; the approach speed where that is zero", no, no, no,
-             [](const S& s, const O& seen, const O& exact) {
-               return scalar<restitution>("restitution", s, seen, exact, 1.0);
-             }},
-    Quantity{"tangential_velocity_change", "the exact value", no, no, no,
-             [](const S& s, const O& seen, const O& exact) {
-               return scalar<tangential_velocity_change>("tangential_velocity_change", s, seen, exact);
-             }},
-    Quantity{"contact_duration", "the exact value", every_step, no, no,
-             [](const S& s, const O& seen, const O& exact) {
-               return scalar<contact_duration>("contact_duration", s, seen, exact);
-             }},
-    Quantity{"peak_overlap", "the exact value", every_step, no, no,
-             [](const S& s, const O& seen, const O& exact) {
-               return scalar<peak_overlap>("peak_overlap", s, seen, exact);
-             }},
-    Quantity{"resting_overlap", "the exact value", no, no, no,
-             [](const S& s, const O& seen, const O& exact) {
-               return scalar<resting_overlap>("resting_overlap", s, seen, exact);
-             }},
-    Quantity{"stop_time", "the exact value", every_step, no, no,
-             [](const S& s, const O& seen, const O& exact) {
-               return scalar<stop_time>("stop_time", s, seen, exact);
-             }},
-    Quantity{"stop_distance", "the exact value", no, no, no,
-             [](const S& s, const O& seen, const O& exact) {
-               return scalar<stop_distance>("stop_distance", s, seen, exact);
-             }},
-    Quantity{"bed_height", "the exact value", no, no, no,
-             [](const S& s, const O& seen, const O& exact) {
-               return scalar<bed_height>("bed_height", s, seen, exact);
-             }},
-    Quantity{"contact_number", "the exact value", no, no, no,
-             [](const S& s, const O& seen, const O& exact) {
-               return scalar<contact_number>("contact_number", s, seen, exact);
-             }},
-    Quantity{"sticking_speed", "the exact value", no, no, no, nullptr, sticking_speed},
-    Quantity{"stable_step", "the exact value", no, no, no, nullptr, stable_step},
-    Quantity{"momentum", "all momentum that the run had or was given", no, ledger, no, momentum_error},
-    Quantity{"energy", "the largest entry of the ledger", no, ledger, no, energy_error},
-    Quantity{"particles", "the number of particles", no, no, no, lost_particles},
+    curve("position", "the longest path of a particle", position_error),
+    curve("velocity", "the largest exact speed", velocity_error),
+    curve("angular_velocity", "the largest exact spin, or speed over radius where nothing turns",
+          angular_velocity_error),
+    curve("orientation", "one radian", orientation_error),
+    curve("kinetic_energy", "its largest exact value", kinetic_energy_error),
+    Quantity{.name = "restitution",
+             .relative_to = "the exact value; the approach speed where that is zero",
+             .value = restitution,
+             .zero_scale = 1.0},
+    number("tangential_velocity_change", tangential_velocity_change),
+    number_of_every_step("contact_duration", contact_duration),
+    number_of_every_step("peak_overlap", peak_overlap),
+    number("resting_overlap", resting_overlap),
+    number_of_every_step("stop_time", stop_time),
+    number("stop_distance", stop_distance),
+    number("spin", final_spin),
+    number_of_ledger("wall_impulse:0", wall_impulse<0>),
+    number_of_ledger("wall_impulse:1", wall_impulse<1>),
+    number_of_ledger("wall_impulse:2", wall_impulse<2>),
+    number_of_ledger("wall_impulse:3", wall_impulse<3>),
+    number_of_ledger("wall_angular_impulse:0", wall_angular_impulse<0>),
+    number_of_ledger("wall_angular_impulse:1", wall_angular_impulse<1>),
+    number_of_ledger("wall_work", wall_work),
+    number("bed_height", bed_height),
+    number("contact_number", contact_number),
+    number("mean_kinetic_energy", mean_kinetic_energy),
+    number("packing_lower", packing_of_third<0>),
+    number("packing_middle", packing_of_third<1>),
+    number("packing_upper", packing_of_third<2>),
+    number("contact_force", contact_force),
+    number("contact_force_spread", contact_force_spread),
+    number("discharge_rate", discharge_rate),
+    number("slope_angle", slope_angle),
+    searched("sticking_speed", sticking_speed),
+    searched("stable_step", stable_step),
+    invariant("momentum", "all momentum that the run had or was given", momentum_error, true),
+    invariant("angular_momentum", "all angular momentum that the run had or was given",
+              angular_momentum_error, true),
+    invariant("energy", "the largest entry of the ledger", energy_error, true),
+    invariant("particles", "the number of particles", lost_particles, false),
 };
 
 }  // namespace
+
+Measured Quantity::exact_value(const Scene& scene, const Observations& exact) const {
+  if (const auto told = exact.scalars.find(std::string(name)); told != exact.scalars.end())
+    return Measured::of(told->second);
+  if (exact.frames.empty())
+    return Measured::none("the exact solution does not say \"" + std::string(name) + "\"");
+  return value(scene, exact);
+}
+
+Measured Quantity::error(const Scene& scene, const Observations& seen, const Observations& exact) const {
+  if (compare) return compare(scene, seen, exact);
+  return relative_error(value(scene, seen), exact_value(scene, exact), zero_scale);
+}
 
 std::span<const Quantity> quantities() {
   return table;

@@ -13,20 +13,29 @@ namespace grainproof {
 
 /// One thing that a case can make a claim about. Errors are signed and relative.
 struct Quantity {
-  using Error = Measured (*)(const Scene& scene, const Observations& seen, const Observations& exact);
+  using Compare = Measured (*)(const Scene& scene, const Observations& seen, const Observations& exact);
+  using Value = Measured (*)(const Scene& scene, const Observations& seen);
   /// One value a scene, found by running the engine many times.
   using Search = std::vector<Found> (*)(std::span<const Scene> scenes, Engine& engine,
                                         std::span<const double> hints);
 
   std::string_view name;
   std::string_view relative_to;  ///< the scale of the error, in words
+  Value value = nullptr;         ///< of a single number; a band is judged over such only
+  Compare compare = nullptr;     ///< where it is more than a number, or held against no other
+  Search search = nullptr;       ///< where the number takes many runs
   bool every_step = false;       ///< needs a frame at every step
   bool ledger = false;           ///< needs the ledger
   bool curve = false;            ///< needs the exact solution at the frames' own times
-  Error error = nullptr;
-  Search search = nullptr;  ///< where set, `error` is nullptr and the exact value is a scalar
+  double zero_scale = 0.0;       ///< scale of the error where the exact value is zero; 0 is none
 
   Request request() const { return {{}, every_step, ledger}; }
+
+  /// Of what is not searched.
+  Measured error(const Scene& scene, const Observations& seen, const Observations& exact) const;
+
+  /// What the exact side says by name, or else what its frames say.
+  Measured exact_value(const Scene& scene, const Observations& exact) const;
 };
 
 std::span<const Quantity> quantities();

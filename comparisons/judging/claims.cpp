@@ -17,6 +17,8 @@ Claim resolved(const Expectation& expectation, const Oracles& oracles) {
   const std::string& against = expectation.against;
   if (!claim.quantity) {
     claim.impossible = "there is no quantity \"" + expectation.quantity + "\"";
+  } else if (expectation.statistic == Statistic::band && !claim.quantity->value) {
+    claim.impossible = "\"" + expectation.quantity + "\" is no single number, so it has no band";
   } else if (starts_with(against, "closed_form:") || starts_with(against, "engine:")) {
     claim.oracle = oracles ? oracles(against) : nullptr;
     if (!claim.oracle && starts_with(against, "closed_form:")) claim.impossible = "there is no " + against;

@@ -17,6 +17,8 @@ struct Finding {
   Measured error;              ///< signed, relative
   double unit_roundoff = 0.0;  ///< of the engine, and of the one it is held against
   double wall_s = 0.0;
+  double seen = 0.0;  ///< the two numbers themselves, for a band
+  double exact = 0.0;
 };
 
 /// An expectation of a case with what is needed to judge one engine by it.

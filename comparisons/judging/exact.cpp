@@ -118,6 +118,7 @@ ExactSide::ExactSide(const Case& subject, const Chunk& chunk, const std::vector<
     Question& question = questions[claim.says->against];
     question.oracle = claim.oracle;
     question.every_step |= claim.quantity->every_step;
+    question.ledger |= claim.quantity->ledger;
     std::set_intersection(chunk.scenes.begin(), chunk.scenes.end(), claim.scenes.begin(), claim.scenes.end(),
                           std::inserter(question.scenes, question.scenes.end()));
   }
@@ -125,11 +126,12 @@ ExactSide::ExactSide(const Case& subject, const Chunk& chunk, const std::vector<
 }
 
 void ExactSide::ask(const std::string& against, const Question& question, Records& records) {
-  Chunk missing{{{}, question.every_step, false}, {}};
+  Chunk missing{{{}, question.every_step, question.ledger}, {}};
+  const bool special = question.every_step || question.ledger;
   std::map<std::size_t, Observations>& answers = engines_[against];
   for (const std::size_t i : question.scenes) {
     const auto known = records.find({against, i});
-    if (question.every_step || known == records.end())
+    if (special || known == records.end())
       missing.scenes.push_back(i);
     else
       answers[i] = known->second;
@@ -137,8 +139,7 @@ void ExactSide::ask(const std::string& against, const Question& question, Record
   std::vector<Observations> fresh = observe_chunk(subject_, missing, *question.oracle);
   for (std::size_t k = 0; k < fresh.size(); ++k) {
     const std::size_t i = missing.scenes[k];
-    const bool keep =
-        !question.every_step && frame_bytes(subject_.scenes[i].scene, missing.request) <= record_bytes;
+    const bool keep = !special && frame_bytes(subject_.scenes[i].scene, missing.request) <= record_bytes;
     if (keep) records[{against, i}] = fresh[k];
     answers[i] = std::move(fresh[k]);
   }

@@ -47,6 +47,7 @@ class ExactSide {
   struct Question {
     Engine* oracle = nullptr;
     bool every_step = false;
+    bool ledger = false;
     std::set<std::size_t> scenes;
   };
   void ask(const std::string& against, const Question& question, Records& records);

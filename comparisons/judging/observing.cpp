@@ -55,6 +55,17 @@ Measured error_of(const Claim& claim, const Scene& scene, const Observations& se
   return claim.quantity->error(scene, seen, exact);
 }
 
+/// A band is taken over the two numbers of each sample, whatever their relative error.
+void take_numbers(const Claim& claim, const Scene& scene, const Observations& seen, const Observations& exact,
+                  Finding& finding) {
+  const Measured own = claim.quantity->value(scene, seen);
+  const Measured other = claim.quantity->exact_value(scene, exact);
+  finding.seen = own.value;
+  finding.exact = other.value;
+  finding.error = own.exists() && other.exists() ? Measured::of(own.value - other.value)
+                                                 : Measured::none(own.because + other.because);
+}
+
 /// Adds the findings that one observation gives to every claim that asks for its scene.
 void judge_scene(const Case& subject, const Chunk& chunk, std::size_t at, const Observations& seen,
                  std::vector<Claim>& claims, const ExactSide& exact_side) {
@@ -70,6 +81,8 @@ void judge_scene(const Case& subject, const Chunk& chunk, std::size_t at, const 
       const Observations& asked = chunk.request.every_step && !claim.quantity->every_step ? few : seen;
       const Observations exact = exact_side.of(claim, at, asked);
       finding.error = error_of(claim, scene, asked, exact);
+      if (claim.says->statistic == Statistic::band && exact.outcome.status == Outcome::Status::completed)
+        take_numbers(claim, scene, asked, exact, finding);
       finding.unit_roundoff += exact.provenance.unit_roundoff;
     }
     claim.findings.push_back(std::move(finding));

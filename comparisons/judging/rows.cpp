@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "comparisons/band.hpp"
 #include "comparisons/statistic.hpp"
 #include "comparisons/tolerance.hpp"
 
@@ -23,6 +24,7 @@ struct StepGroup {
   double unit_roundoff = 0.0;
   double wall_s = 0.0;
   std::string because;  ///< of the first sample without a number
+  std::string remark;   ///< what a band was made of
 };
 
 /// All steps of one combination of the other swept keys and the integrator.
@@ -38,6 +40,29 @@ Group& group_in(std::vector<Group>& groups, Same same, Group fresh) {
   return found != groups.end() ? *found : groups.emplace_back(std::move(fresh));
 }
 
+std::string text(double number) {
+  std::ostringstream out;
+  out.precision(4);
+  out << number;
+  return out.str();
+}
+
+/// Says how far the means are apart, so that a row that passes shows it too.
+double in_bands(StepGroup& group) {
+  std::vector<double> seen;
+  std::vector<double> exact;
+  for (const Finding* finding : group.findings) {
+    seen.push_back(finding->seen);
+    exact.push_back(finding->exact);
+  }
+  const BandDifference difference = band_difference(seen, exact);
+  if (group.findings.size() < 2 && group.because.empty())
+    group.because = "a band needs two samples or more; sweep.seeds gives them";
+  group.remark = "mean " + text(difference.seen) + " against " + text(difference.exact) + ", 99.9 % band ± " +
+                 text(difference.band);
+  return difference.in_bands();
+}
+
 void summarise(StepGroup& group, const Case& subject, Statistic statistic) {
   std::vector<double> errors;
   for (const Finding* finding : group.findings) {
@@ -50,7 +75,7 @@ void summarise(StepGroup& group, const Case& subject, Statistic statistic) {
     group.because = "sample " + std::to_string(resolved.point.sample) + ": " +
                     (finding->error.exists() ? "the error is not finite" : finding->error.because);
   }
-  group.statistic = statistic_of(statistic, errors);
+  group.statistic = statistic == Statistic::band ? in_bands(group) : statistic_of(statistic, errors);
   group.mean = mean_of(errors);
 }
 
@@ -80,16 +105,11 @@ std::optional<double> bound_for(const Expectation& says, const std::string& labe
   return std::nullopt;
 }
 
-std::string text(double number) {
-  std::ostringstream out;
-  out.precision(4);
-  out << number;
-  return out.str();
-}
-
 /// Empty where the statistic and the sign are as claimed.
 std::string complaint(const StepGroup& step, const Expectation& says, double bar, bool bounded) {
   if (!step.because.empty()) return step.because;
+  if (bounded && !within(step.statistic, bar) && !step.remark.empty())
+    return step.remark + ": apart by " + text(step.statistic) + " bands";
   if (bounded && !within(step.statistic, bar))
     return "error " + text(step.statistic) + " is above " + text(bar);
   const bool sign_holds = !says.sign || step.mean * static_cast<double>(*says.sign) > 0.0;
@@ -106,6 +126,7 @@ std::optional<Row> row_of_step(const StepGroup& step, const Expectation& says, R
   row.wall_s = step.wall_s;
   row.reason = complaint(step, says, row.tolerance, bound.has_value());
   row.verdict = row.reason.empty() ? Verdict::pass : Verdict::fail;
+  if (row.verdict == Verdict::pass) row.reason = step.remark;
   return row;
 }
 

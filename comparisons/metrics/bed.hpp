@@ -7,8 +7,14 @@
 
 namespace grainproof {
 
-/// Twice the mean height of the particles above the lowest corner of the domain, against gravity (z
-/// where there is none), in the last frame, m: the height of a uniform bed with that centre.
+/// Against gravity; z where there is none.
+Vec3 up(const Scene& scene);
+
+/// Height of the lowest corner of the domain.
+double floor_of(const Domain& domain, const Vec3& upwards);
+
+/// Twice the mean height of the particles above the lowest corner of the domain, in the last frame, m: the
+/// height of a uniform bed with that centre.
 Measured bed_height(const Scene& scene, const Observations& seen);
 
 /// Particles that a particle overlaps, on average, in the last frame.

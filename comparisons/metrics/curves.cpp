@@ -87,6 +87,8 @@ bool turns(const Observations& seen) {
   });
 }
 
+}  // namespace
+
 double kinetic_energy(const Scene& scene, const Frame& frame) {
   double sum = 0.0;
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
@@ -98,8 +100,6 @@ double kinetic_energy(const Scene& scene, const Frame& frame) {
   }
   return sum;
 }
-
-}  // namespace
 
 Measured position_error(const Scene& scene, const Observations& seen, const Observations& exact) {
   if (const std::string wrong = mismatch(scene, seen, exact); !wrong.empty()) return Measured::none(wrong);

@@ -9,6 +9,9 @@
 /// the run is ahead of the exact one (too far, too fast) where it is most wrong.
 namespace grainproof {
 
+/// Of translation and, where there is one, rotation, J.
+double kinetic_energy(const Scene& scene, const Frame& frame);
+
 /// Largest distance from the exact place over frames and particles, relative to the longest path a
 /// particle has in the exact solution.
 Measured position_error(const Scene& scene, const Observations& seen, const Observations& exact);

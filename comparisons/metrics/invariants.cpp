@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparisons/metrics/invariants.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "comparisons/metrics/mass.hpp"
 
@@ -29,10 +31,48 @@ Momentum momentum(const Scene& scene, const Frame& frame) {
   return total;
 }
 
+/// Σ (m x × v + I ω) about the origin, and the sum of the sizes as its scale.
+Momentum angular_momentum(const Scene& scene, const Frame& frame) {
+  Momentum total;
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    const Particle& body = scene.particles[i];
+    if (body.fixed) continue;
+    Vec3 own = mass_of(scene, body) * frame.position[i].cross(frame.velocity[i]);
+    total.scale += mass_of(scene, body) * frame.position[i].norm() * frame.velocity[i].norm();
+    if (!frame.angular_velocity.empty()) {
+      own += inertia_of(scene, body) * frame.angular_velocity[i];
+      total.scale += inertia_of(scene, body) * frame.angular_velocity[i].norm();
+    }
+    total.sum += own;
+  }
+  return total;
+}
+
+/// Empty where walls that stand still, whose moments the ledger keeps, are all that acts from outside.
+std::string turned_from_outside(const Scene& scene) {
+  const auto* gravity = std::get_if<ConstantGravity>(&scene.gravity);
+  if (!gravity || !gravity->acceleration.isZero()) return "gravity gives angular momentum too";
+  if (!std::holds_alternative<NoFlow>(scene.flow)) return "the fluid gives angular momentum too";
+  for (int axis = 0; axis < 3; ++axis)
+    if (scene.domain.periodic(axis)) return "there is none in a periodic domain";
+  for (const Particle& particle : scene.particles)
+    if (particle.fixed) return "fixed particles give angular momentum too";
+  for (const Wall& wall : scene.walls)
+    if (!std::holds_alternative<Still>(wall.motion)) return "a wall's moment is about a point that moves";
+  return {};
+}
+
+Vec3 reference_point(const Wall& wall) {
+  return std::visit(Overloaded{[](const Rectangle& flat) { return flat.lower; },
+                               [](const auto& shape) { return shape.point; }},
+                    wall.shape);
+}
+
 double largest_entry(const Ledger& ledger) {
   return std::max({std::abs(ledger.kinetic), std::abs(ledger.elastic), std::abs(ledger.cohesive),
-                   std::abs(ledger.gravity_work), std::abs(ledger.drag_work),
-                   std::abs(ledger.dissipated_normal), std::abs(ledger.dissipated_tangential)});
+                   std::abs(ledger.gravity_work), std::abs(ledger.drag_work), std::abs(ledger.wall_work),
+                   std::abs(ledger.dissipated_normal), std::abs(ledger.dissipated_tangential),
+                   std::abs(ledger.dissipated_rolling)});
 }
 
 bool inside(const Domain& domain, const Vec3& x) {
@@ -57,6 +97,20 @@ Measured momentum_error(const Scene& scene, const Observations& seen, const Obse
   double scale = 0.0;
   for (const Frame& frame : seen.frames) scale = std::max(scale, momentum(scene, frame).scale);
   return relative((change - support - field).norm(), scale + support.norm() + field.norm());
+}
+
+Measured angular_momentum_error(const Scene& scene, const Observations& seen, const Observations&) {
+  if (const std::string why = turned_from_outside(scene); !why.empty()) return Measured::none(why);
+  if (!seen.final_ledger || seen.final_ledger->wall_impulses.size() != scene.walls.size())
+    return Measured::none(no_ledger);
+  Vec3 given = Vec3::Zero();
+  for (std::size_t w = 0; w < scene.walls.size(); ++w)
+    given += seen.final_ledger->wall_angular_impulses[w] +
+             reference_point(scene.walls[w]).cross(seen.final_ledger->wall_impulses[w]);
+  const Momentum before = angular_momentum(scene, seen.frames.front());
+  const Momentum after = angular_momentum(scene, seen.frames.back());
+  return relative((after.sum - before.sum - given).norm(),
+                  std::max(before.scale, after.scale) + given.norm());
 }
 
 Measured energy_error(const Scene&, const Observations& seen, const Observations&) {

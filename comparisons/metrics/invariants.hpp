@@ -12,6 +12,10 @@ namespace grainproof {
 /// had or was given: largest Σ m |v| of a frame plus the impulses' sizes. Never negative.
 Measured momentum_error(const Scene& scene, const Observations& seen, const Observations& exact);
 
+/// Change of Σ (m x × v + I ω) about the origin less the moments that still walls gave, relative to the sizes
+/// of the terms. Never negative; only where nothing else acts from outside.
+Measured angular_momentum_error(const Scene& scene, const Observations& seen, const Observations& exact);
+
 /// Drift of the ledger's balance relative to the largest entry of the ledger.
 Measured energy_error(const Scene& scene, const Observations& seen, const Observations& exact);
 

@@ -49,7 +49,8 @@ Scene flight() {
 TEST(Quantities, HaveNamesOfTheirOwn) {
   for (const Quantity& quantity : quantities()) {
     EXPECT_EQ(quantity_named(quantity.name), &quantity);
-    EXPECT_NE(quantity.error == nullptr, quantity.search == nullptr) << quantity.name;
+    EXPECT_EQ((quantity.value != nullptr) + (quantity.compare != nullptr) + (quantity.search != nullptr), 1)
+        << quantity.name;
     EXPECT_FALSE(quantity.relative_to.empty()) << quantity.name;
   }
   EXPECT_EQ(quantity_named("colour"), nullptr);
