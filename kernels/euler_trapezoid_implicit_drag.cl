@@ -6,7 +6,7 @@ INLINE void integrate(World w, int i, int step) {
   const real whole = w.constants->time.x;
   Motion m = load_motion(w, i);
   if (!(m.inverse_mass > 0)) return;
-  const real3 before = m.velocity;
+  const real3 before = m.velocity, spin_before = spin_of(w, i);
   const real rate = drag_rate(w, i);
   const real3 stream = flow_at(w, w.positions[i]);
   const real3 wanted = w.accelerations[i].xyz + (stream - before) * rate;
@@ -15,6 +15,7 @@ INLINE void integrate(World w, int i, int step) {
   book(w, i, whole, twice_mean * (real)0.5);
   book_drag(w, i, whole, (stream - m.velocity) * rate, twice_mean * (real)0.5);
   spin_up(w, i, whole);
+  turn_over(w, i, (spin_before + spin_of(w, i)) * (real)0.5);
   store_motion(w, i, m);
   drift_body(w, i, twice_mean, w.constants->time.w, step);
 }

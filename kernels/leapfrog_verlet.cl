@@ -2,18 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sweetman 2.19: velocities stand half a step behind the positions.
 INLINE void integrate(World w, int i, int step) {
-  const real whole = w.constants->time.x, half_step = w.constants->time.y;
+  const real duration = step > 1 ? w.constants->time.x : w.constants->time.y;
   Motion m = load_motion(w, i);
   if (!(m.inverse_mass > 0)) return;
-  const real3 acceleration = w.accelerations[i].xyz;
-  if (step > 1) {
-    book(w, i, half_step, m.velocity);
-    kick(&m, acceleration * whole);
-  } else {
-    kick(&m, acceleration * half_step);
-  }
-  book(w, i, half_step, m.velocity);
-  spin_up(w, i, step > 1 ? whole : half_step);
+  const real3 before = m.velocity;
+  kick(&m, w.accelerations[i].xyz * duration);
+  book(w, i, duration, (before + m.velocity) * (real)0.5);
+  spin_up(w, i, duration);
+  turn_over(w, i, spin_of(w, i));
   store_motion(w, i, m);
   drift_body(w, i, m.velocity, w.constants->time.z, step);
 }

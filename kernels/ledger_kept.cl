@@ -1,69 +1,83 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Energy and impulse, a particle at a time: a pair's energy goes half to each, or whole to the one that moves.
+// Energy and impulse, a particle at a time. What a force takes out of all bodies is minus the sum of its power on
+// each, with the velocity that the body has in the middle of its kick; of that no partner needs to be known. What
+// springs hold goes half to each of a pair, or whole to the one that moves.
 typedef struct {
   real3 support;
-  real normal_power;
-  real tangential_power;
-  real elastic;
-  real cohesive;
+  real3 braking;      // forces of normal dashpots
+  real3 rubbing;      // of friction
+  real3 twisting;     // torques of friction
+  real3 resisting;    // torques of rolling resistance
+  real3 of_one;       // force of the wall at hand
+  real3 couple;       // rolling couple of the wall at hand
+  real braked, rubbed, resisted;  // power that walls put into these
+  real driven;                    // power of walls
+  real elastic, spring, wound, cohesive;
 } Account;
 
 INLINE Account new_account() {
-  Account a = {(real3)(0), 0, 0, 0, 0};
+  Account a = {(real3)(0), (real3)(0), (real3)(0), (real3)(0), (real3)(0), (real3)(0), (real3)(0), 0, 0, 0, 0, 0, 0, 0,
+               0};
   return a;
 }
 
-INLINE void enter_normal(Account* a, real share, real power, real energy) {
-  a->normal_power += share * power;
+INLINE real along(real3 force, real3 v) { return force.x * v.x + force.y * v.y + force.z * v.z; }
+
+// A force that is clamped counts as the whole spring and a dashpot that cancels it.
+INLINE void enter_normal(Account* a, real share, real energy, real3 dashpot, real3 surface) {
   a->elastic += share * energy;
+  a->braking += dashpot;
+  a->braked += along(dashpot, surface);
 }
 
-INLINE void enter_friction(Account* a, real share, real power) { a->tangential_power += share * power; }
+INLINE void enter_friction(Account* a, real3 force, real3 torque, real3 surface) {
+  a->rubbing += force;
+  a->twisting += torque;
+  a->rubbed += along(force, surface);
+}
 
-INLINE void enter_spring(Account* a, real share, real energy) { a->elastic += share * energy; }
+INLINE void enter_spring(Account* a, real share, real energy) { a->spring += share * energy; }
+
+INLINE void enter_wound(Account* a, real share, real energy) { a->wound += share * energy; }
+
+INLINE void enter_rolling(Account* a, real3 torque, real3 wall_spin) {
+  a->resisting += torque;
+  a->couple += torque;
+  a->resisted += along(torque, wall_spin);
+  a->driven += along(torque, wall_spin);
+}
 
 INLINE void enter_cohesion(Account* a, real share, real energy) { a->cohesive += share * energy; }
 
 // Forces of walls and fixed particles, whose share is 1, support; others cancel between two particles.
-INLINE void enter_force(Account* a, real share, real3 force) {
+INLINE void enter_force(Account* a, real share, real3 force, real3 surface) {
   if (share == 1) a->support += force;
+  a->of_one += force;
+  a->driven += along(force, surface);
 }
 
-INLINE void close_account(World w, int i, Account a, real3 gravity, real3 drag) {
+INLINE void open_wall(Account* a) { a->of_one = a->couple = (real3)(0); }
+
+// The arm goes from the wall's reference point to where its surface is touched.
+INLINE void close_wall(World w, int slot, Account a, real3 arm) {
+  const real3 f = a.of_one;
+  const real3 moment = (real3)(arm.y * f.z - arm.z * f.y, arm.z * f.x - arm.x * f.z, arm.x * f.y - arm.y * f.x);
+  w.wall_tallies[slot].force = (real4)(f, 0);
+  w.wall_tallies[slot].moment = (real4)(moment + a.couple, 0);
+}
+
+INLINE void close_account(World w, int i, Account a, real3 gravity, real3 drag, int step) {
   const real mass = 1 / w.velocities[i].w;
   Tally t;
-  t.support = (real4)(a.support, a.normal_power);
-  t.weight = (real4)(gravity * mass, a.tangential_power);
+  t.support = (real4)(a.support, a.braked);
+  t.weight = (real4)(gravity * mass, a.rubbed);
   t.drag = (real4)(drag * mass, a.elastic);
-  t.other = (real4)(a.cohesive, 0, 0, 0);
+  t.other = (real4)(a.cohesive, a.spring, a.wound, a.driven);
+  t.braking = (real4)(a.braking, a.resisted);
+  t.rubbing = (real4)(a.rubbing, 0);
+  t.twisting = (real4)(a.twisting, 0);
+  t.resisting = (real4)(a.resisting, 0);
   w.tallies[i] = t;
-}
-
-INLINE void add_exactly(global LedgerSums* s, int row, real4 term) {
-  const real4 before = s->sum[row];
-  const real4 y = term + s->rest[row];
-  const real4 sum = before + y;
-  const real4 seen = sum - before;
-  s->rest[row] = (before - (sum - seen)) + (y - seen);
-  s->sum[row] = sum;
-}
-
-INLINE real along(real4 force, real3 v) { return force.x * v.x + force.y * v.y + force.z * v.z; }
-
-// The integrator has let the last forces act for `duration` on a body that drifts with `velocity`.
-INLINE void book(World w, int i, real duration, real3 velocity) {
-  const Tally t = w.tallies[i];
-  const real4 field = t.weight + t.drag;
-  add_exactly(&w.sums[i], 0, t.support * duration);
-  add_exactly(&w.sums[i], 1, (real4)(field.xyz, t.weight.w) * duration);
-  add_exactly(&w.sums[i], 2, (real4)(along(t.weight, velocity), along(t.drag, velocity), 0, 0) * duration);
-}
-
-// A drag that the integrator applied by itself.
-INLINE void book_drag(World w, int i, real duration, real3 acceleration, real3 velocity) {
-  const real mass = 1 / w.velocities[i].w;
-  const real4 force = (real4)(acceleration * mass, 0);
-  add_exactly(&w.sums[i], 1, force * duration);
-  add_exactly(&w.sums[i], 2, (real4)(0, along(force, velocity), 0, 0) * duration);
+  if (step == 0) w.sums[i].start = t.other;
 }

@@ -9,11 +9,13 @@ INLINE Account new_account() {
   Account a = {0};
   return a;
 }
-INLINE void enter_normal(Account* a, real share, real power, real energy) {}
-INLINE void enter_friction(Account* a, real share, real power) {}
+INLINE void enter_normal(Account* a, real share, real energy, real3 dashpot, real3 surface) {}
+INLINE void enter_friction(Account* a, real3 force, real3 torque, real3 surface) {}
 INLINE void enter_spring(Account* a, real share, real energy) {}
+INLINE void enter_wound(Account* a, real share, real energy) {}
+INLINE void enter_rolling(Account* a, real3 torque, real3 wall_spin) {}
 INLINE void enter_cohesion(Account* a, real share, real energy) {}
-INLINE void enter_force(Account* a, real share, real3 force) {}
-INLINE void close_account(World w, int i, Account a, real3 gravity, real3 drag) {}
-INLINE void book(World w, int i, real duration, real3 velocity) {}
-INLINE void book_drag(World w, int i, real duration, real3 acceleration, real3 velocity) {}
+INLINE void enter_force(Account* a, real share, real3 force, real3 surface) {}
+INLINE void open_wall(Account* a) {}
+INLINE void close_wall(World w, int slot, Account a, real3 arm) {}
+INLINE void close_account(World w, int i, Account a, real3 gravity, real3 drag, int step) {}

@@ -34,12 +34,18 @@ typedef struct {
 } RectangleShape;
 
 typedef struct {
+  PlaneShape across[2];  // planes through the axis, perpendicular to each other
+  Reach radius;
+} CylinderShape;
+
+typedef struct {
   double4 origin;
   double4 number;  // 1/m
 } Wave;
 
 INLINE Reach radius_of(Position p) { return p.at.w; }
 INLINE Reach sum_of(Reach a, Reach b) { return a + b; }
+INLINE Reach difference_of(Reach a, Reach b) { return a - b; }
 INLINE real in_metres(Reach r, const global Box* box) { return r; }
 
 INLINE double nearest_image(double d, double period, double half_period) {
@@ -74,23 +80,49 @@ INLINE real3 direction_of(Separation s) {
   return s.across * inverse;
 }
 
-INLINE real plane_overlap(Position p, Reach reach, const global PlaneShape* plane, const global Box* box) {
-  const double3 d = p.at.xyz - plane->point.xyz;
-  return reach - (d.x * plane->normal.x + d.y * plane->normal.y + d.z * plane->normal.z);
+INLINE real3 metres_of(Separation s, const global Box* box) { return s.across; }
+
+INLINE double height_over(Position p, PlaneShape plane) {
+  const double3 d = p.at.xyz - plane.point.xyz;
+  return d.x * plane.normal.x + d.y * plane.normal.y + d.z * plane.normal.z;
 }
 
-INLINE real3 plane_normal(const global PlaneShape* plane) { return plane->normal.xyz; }
+INLINE real plane_overlap(Position p, Reach reach, PlaneShape plane, const global Box* box) {
+  return reach - height_over(p, plane);
+}
+
+INLINE real3 plane_normal(PlaneShape plane) { return plane.normal.xyz; }
+
+INLINE PlaneShape plane_through(PlaneShape plane, Position point) {
+  plane.point = point.at;
+  return plane;
+}
+
+// From the point that a plane is held by, in metres.
+INLINE real3 from_plane(Position p, PlaneShape plane, const global Box* box) { return p.at.xyz - plane.point.xyz; }
+
+// From the axis of a cylinder to the centre, along its two planes' normals.
+INLINE Separation from_axis(Position p, CylinderShape cylinder) {
+  Separation s;
+  s.across = (double3)(height_over(p, cylinder.across[0]), height_over(p, cylinder.across[1]), 0);
+  return s;
+}
+
+INLINE real3 away_from_axis(Separation s, CylinderShape cylinder) {
+  const real3 d = direction_of(s);
+  return d.x * cylinder.across[0].normal.xyz + d.y * cylinder.across[1].normal.xyz;
+}
 
 INLINE double beyond(double d, double half_extent) {
   return d > half_extent ? d - half_extent : (d < -half_extent ? d + half_extent : 0);
 }
 
 // From the closest point of the rectangle to the centre.
-INLINE Separation rectangle_separation(Position p, const global RectangleShape* shape, const global Box* box) {
-  Separation s = separation(shape->centre, p, box);
-  s.across.x = beyond(s.across.x, shape->half_extent.x);
-  s.across.y = beyond(s.across.y, shape->half_extent.y);
-  s.across.z = beyond(s.across.z, shape->half_extent.z);
+INLINE Separation rectangle_separation(Position p, RectangleShape shape, const global Box* box) {
+  Separation s = separation(shape.centre, p, box);
+  s.across.x = beyond(s.across.x, shape.half_extent.x);
+  s.across.y = beyond(s.across.y, shape.half_extent.y);
+  s.across.z = beyond(s.across.z, shape.half_extent.z);
   return s;
 }
 

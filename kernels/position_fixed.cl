@@ -46,6 +46,11 @@ typedef struct {
 } RectangleShape;
 
 typedef struct {
+  PlaneShape across[2];  // planes through the axis, perpendicular to each other
+  Reach radius;
+} CylinderShape;
+
+typedef struct {
   ulong4 offset;            // turns, times 2^64
   ulong4 turns;             // per quantum, times 2^64
   float4 radians;           // per quantum
@@ -58,6 +63,11 @@ INLINE Reach radius_of(Position p) {
 
 INLINE Reach sum_of(Reach a, Reach b) {
   Reach r = {a.whole + b.whole, a.part + b.part};
+  return r;
+}
+
+INLINE Reach difference_of(Reach a, Reach b) {
+  Reach r = {a.whole - b.whole, a.part - b.part};
   return r;
 }
 
@@ -122,18 +132,65 @@ INLINE real3 direction_of(Separation s) {
   return quanta_of(s) * inverse;
 }
 
-INLINE real plane_overlap(Position p, Reach reach, const global PlaneShape* plane, const global Box* box) {
-  const long x = p.whole.x - plane->whole.x, y = p.whole.y - plane->whole.y, z = p.whole.z - plane->whole.z;
-  const long height = x * plane->normal_whole.x + y * plane->normal_whole.y + z * plane->normal_whole.z;
-  const long coarse = ((long)reach.whole << 30) - height;
+INLINE real3 metres_of(Separation s, const global Box* box) { return quanta_of(s) * box->quantum.x; }
+
+// Height of a centre over a plane: `coarse` in 2^-30 quanta is exact, and `fine` in quanta is small.
+INLINE void height_over(Position p, PlaneShape plane, long* coarse, float* fine) {
+  const long x = p.whole.x - plane.whole.x, y = p.whole.y - plane.whole.y, z = p.whole.z - plane.whole.z;
+  *coarse = x * plane.normal_whole.x + y * plane.normal_whole.y + z * plane.normal_whole.z;
   const float tilt =
-      (float)x * plane->normal_part.x + (float)y * plane->normal_part.y + (float)z * plane->normal_part.z;
-  const float3 d = p.part.xyz - plane->part.xyz;
-  const float fine = d.x * plane->normal.x + d.y * plane->normal.y + d.z * plane->normal.z;
-  return box->quantum.x * ((float)coarse * 0x1p-30f + (reach.part - (tilt + fine)));
+      (float)x * plane.normal_part.x + (float)y * plane.normal_part.y + (float)z * plane.normal_part.z;
+  const float3 d = p.part.xyz - plane.part.xyz;
+  *fine = tilt + (d.x * plane.normal.x + d.y * plane.normal.y + d.z * plane.normal.z);
 }
 
-INLINE real3 plane_normal(const global PlaneShape* plane) { return plane->normal.xyz; }
+INLINE real plane_overlap(Position p, Reach reach, PlaneShape plane, const global Box* box) {
+  long height;
+  float fine;
+  height_over(p, plane, &height, &fine);
+  const long coarse = ((long)reach.whole << 30) - height;
+  return box->quantum.x * ((float)coarse * 0x1p-30f + (reach.part - fine));
+}
+
+INLINE real3 plane_normal(PlaneShape plane) { return plane.normal.xyz; }
+
+INLINE PlaneShape plane_through(PlaneShape plane, Position point) {
+  plane.whole = point.whole;
+  plane.part = point.part;
+  return plane;
+}
+
+// From the point that a plane is held by, in metres.
+INLINE real3 from_plane(Position p, PlaneShape plane, const global Box* box) {
+  return (convert_float3(p.whole.xyz - plane.whole.xyz) + (p.part.xyz - plane.part.xyz)) * box->quantum.x;
+}
+
+// Whole quanta, and what is left over with what is fine.
+INLINE void split_height(Position p, PlaneShape plane, int* whole, float* part) {
+  long coarse;
+  float fine;
+  height_over(p, plane, &coarse, &fine);
+  const long quanta = (coarse + (1L << 29)) >> 30;
+  *whole = (int)quanta;
+  *part = (float)(coarse - (quanta << 30)) * 0x1p-30f + fine;
+}
+
+// From the axis of a cylinder to the centre, along its two planes' normals.
+INLINE Separation from_axis(Position p, CylinderShape cylinder) {
+  int wx, wy;
+  float px, py;
+  split_height(p, cylinder.across[0], &wx, &px);
+  split_height(p, cylinder.across[1], &wy, &py);
+  Separation s;
+  s.whole = (int3)(wx, wy, 0);
+  s.part = (float3)(px, py, 0);
+  return s;
+}
+
+INLINE real3 away_from_axis(Separation s, CylinderShape cylinder) {
+  const real3 d = direction_of(s);
+  return d.x * cylinder.across[0].normal.xyz + d.y * cylinder.across[1].normal.xyz;
+}
 
 INLINE void beyond(int* whole, float* part, int half_whole, float half_part) {
   const float above = (float)(*whole - half_whole) + (*part - half_part);
@@ -144,13 +201,13 @@ INLINE void beyond(int* whole, float* part, int half_whole, float half_part) {
 }
 
 // From the closest point of the rectangle to the centre.
-INLINE Separation rectangle_separation(Position p, const global RectangleShape* shape, const global Box* box) {
-  const Separation s = separation(shape->centre, p, box);
+INLINE Separation rectangle_separation(Position p, RectangleShape shape, const global Box* box) {
+  const Separation s = separation(shape.centre, p, box);
   int wx = s.whole.x, wy = s.whole.y, wz = s.whole.z;
   float px = s.part.x, py = s.part.y, pz = s.part.z;
-  beyond(&wx, &px, shape->half_whole.x, shape->half_part.x);
-  beyond(&wy, &py, shape->half_whole.y, shape->half_part.y);
-  beyond(&wz, &pz, shape->half_whole.z, shape->half_part.z);
+  beyond(&wx, &px, shape.half_whole.x, shape.half_part.x);
+  beyond(&wy, &py, shape.half_whole.y, shape.half_part.y);
+  beyond(&wz, &pz, shape.half_whole.z, shape.half_part.z);
   Separation closest;
   closest.whole = (int3)(wx, wy, wz);
   closest.part = (float3)(px, py, pz);

@@ -19,6 +19,8 @@ INLINE real torque_arm(real radius, real overlap, PairLaw law) {
   return law.history & ARM_SHORTENED ? radius - (real)0.5 * overlap : radius;
 }
 
+INLINE real3 spin_of(World w, int i) { return w.spins[i].xyz; }
+
 // v_rel = v2 − v1 − (a1 ω1 + a2 ω2) × n: the last term.
 INLINE real3 rolling_of_pair(World w, int i, real arm_i, int j, real arm_j, real3 normal) {
   return across(arm_i * w.spins[i].xyz + arm_j * w.spins[j].xyz, normal);
@@ -29,9 +31,9 @@ INLINE real3 rolling_on_wall(World w, int i, real arm, real3 normal) {
 }
 
 // The second body is touched at −a n from its centre.
-INLINE void turn_body(Turning* t, real arm, real3 normal, real3 rubbing) {
-  t->torque -= arm * across(normal, rubbing);
-}
+INLINE real3 torque_of(real3 rubbing, real arm, real3 normal) { return arm * across(rubbing, normal); }
+
+INLINE void turn_body(Turning* t, real3 torque) { t->torque += torque; }
 
 INLINE void close_turning(World w, int i, Turning t) {
   w.angular_accelerations[i] = (real4)(t.torque * w.spins[i].w, 0);
@@ -39,6 +41,8 @@ INLINE void close_turning(World w, int i, Turning t) {
 
 INLINE void spin_up(World w, int i, real duration) {
   Motion m = motion_in(w.spins, w.spin_rests, i);
+  const real3 before = m.velocity;
   kick(&m, w.angular_accelerations[i].xyz * duration);
   keep_motion(w.spins, w.spin_rests, i, m);
+  book_spin(w, i, duration, (before + m.velocity) * (real)0.5);
 }

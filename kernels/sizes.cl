@@ -11,4 +11,8 @@ kernel void sizes(global int* bytes) {
   bytes[6] = sizeof(Rectangle);
   bytes[7] = sizeof(Tally);
   bytes[8] = sizeof(LedgerSums);
+  bytes[9] = sizeof(Cylinder);
+  bytes[10] = sizeof(Stand);
+  bytes[11] = sizeof(WallTally);
+  bytes[12] = sizeof(WallSums);
 }

@@ -12,22 +12,24 @@ INLINE void resolve_all_pairs(World w, int i, int step) {
 }
 
 INLINE void record(World w, int i, int step, int slot, global Position* seen_positions, global real4* seen_velocities,
-                   global real4* seen_spins) {
+                   global real4* seen_spins, global real4* seen_orientations) {
   const int entry = slot * get_global_size(0) + i;
   seen_positions[entry] = w.positions[i];
   seen_velocities[entry] = (real4)(velocity_at_boundary(w, i, step), 0);
   report_spin(w, i, step, seen_spins, entry);
+  report_orientation(w, i, seen_orientations, entry);
 }
 
 // From step `first` to step `last`, writing down what is there at the steps in `sample_steps`, which increase; those
-// before `next_sample` are behind. The forces of step 0 are taken here too.
-kernel void run_small(WORLD_PARAMETERS, const int first, const int last, const global int* sample_steps,
-                      const int samples, const int next_sample, global Position* seen_positions,
-                      global real4* seen_velocities, global real4* seen_spins) {
+// before `next_sample` are behind. The forces of step 0 are taken where `set_up` says so.
+kernel void run_small(WORLD_PARAMETERS, const int set_up, const int first, const int last,
+                      const global int* sample_steps, const int samples, const int next_sample,
+                      global Position* seen_positions, global real4* seen_velocities, global real4* seen_spins,
+                      global real4* seen_orientations) {
   const World w = WORLD;
   const int i = get_global_id(0);
   int next = next_sample;
-  if (first == 0) resolve_all_pairs(w, i, 0);
+  if (set_up) resolve_all_pairs(w, i, 0);
   barrier(CLK_GLOBAL_MEM_FENCE);
   for (int step = first + 1; step <= last; ++step) {
     if (!movers_halt(w, step)) integrate(w, i, step);
@@ -38,7 +40,7 @@ kernel void run_small(WORLD_PARAMETERS, const int first, const int last, const g
       w.signals[HALTED] = 1;
     }
     if (next < samples && sample_steps[next] == step)
-      record(w, i, step, next++, seen_positions, seen_velocities, seen_spins);
+      record(w, i, step, next++, seen_positions, seen_velocities, seen_spins, seen_orientations);
     barrier(CLK_GLOBAL_MEM_FENCE);
   }
   w.reported[i] = (real4)(velocity_at_boundary(w, i, last), 0);

@@ -10,23 +10,25 @@ INLINE void meet_sphere(World w, Load* load, Body self, int j, int slot, int ste
   const Reach reach = sum_of(reach_of(w, self.index, self.position), reach_of(w, j, other.position));
   const PairLaw law = law_between(w, self.material, other.material);
   ContactPoint c;
-  c.spring = spring_of_pair(w, slot);
+  c.memory = memory_of_pair(w, slot);
   c.duration = step > 0 ? w.constants->time.x : 0;
   c.share = other.inverse_mass > 0 ? (real)0.5 : (real)1;
   if (!within(s, reach)) {
-    release_spring(c.spring, c.share, c.duration, &load->account);
+    forget(c.memory);
     return;
   }
   const real radius = in_metres(radius_of(self.position), w.box);
   const real other_radius = in_metres(radius_of(other.position), w.box);
   c.normal = direction_of(s);
   c.velocity = self.velocity - other.velocity;
+  c.surface = c.wall_spin = (real3)(0);
   c.overlap = overlap_of(s, radii, w.box);
   c.reach_overlap = reaches_farther() ? overlap_of(s, reach, w.box) : 0;
   c.root_mass = effective_root_mass(self.inverse_mass, other.inverse_mass);
   c.radius = radius * other_radius / (radius + other_radius);
   c.arm = torque_arm(radius, c.overlap, law);
   c.rolling = rolling_of_pair(w, self.index, c.arm, j, torque_arm(other_radius, c.overlap, law), c.normal);
+  c.spin = spin_of(w, self.index) - spin_of(w, j);
   meet(load, c, law);
   if (c.overlap > w.constants->limits.x * lesser_of(radius, other_radius))
     blame(w, self.index, step, TOO_DEEP, j, OVERLAPPED_AT);

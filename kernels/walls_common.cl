@@ -2,19 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 INLINE ContactPoint wall_contact(World w, Body self, int slot, int step) {
   ContactPoint c;
-  c.velocity = self.velocity;
   c.root_mass = square_root(1 / self.inverse_mass);
   c.radius = in_metres(radius_of(self.position), w.box);
   c.duration = step > 0 ? w.constants->time.x : 0;
-  c.spring = spring_of_wall(w, self.index, slot);
+  c.memory = memory_of_wall(w, slot);
   c.share = 1;
   return c;
 }
 
-INLINE void meet_wall(World w, Load* load, Body self, ContactPoint c, int4 wall, int step) {
-  const PairLaw law = law_between(w, self.material, wall.x);
+// A wall in whose reach the body is; `from` goes from where the wall's shape is held to the body's centre.
+INLINE void meet_wall(World w, Load* load, Body self, ContactPoint c, real3 from, Stand stand,
+                      const global Surface* surface, int slot, int step) {
+  const PairLaw law = law_between(w, self.material, surface->wall.x);
+  const real3 touched = from - (c.radius - c.overlap) * c.normal;
+  c.surface = surface_velocity(stand, surface, touched);
+  c.wall_spin = spin_of_wall(surface);
+  c.velocity = self.velocity - c.surface;
   c.arm = torque_arm(c.radius, c.overlap, law);
   c.rolling = rolling_on_wall(w, self.index, c.arm, c.normal);
+  c.spin = winding_on_wall(spin_of(w, self.index) - c.wall_spin, c.radius, c.overlap, law);
+  open_wall(&load->account);
   meet(load, c, law);
-  if (c.overlap > w.constants->limits.x * c.radius) blame(w, self.index, step, TOO_DEEP, -1 - wall.y, OVERLAPPED_AT);
+  close_wall(w, slot, load->account, touched + stand.offset.xyz);
+  if (c.overlap > w.constants->limits.x * c.radius)
+    blame(w, self.index, step, TOO_DEEP, -1 - surface->wall.y, OVERLAPPED_AT);
+}
+
+INLINE void miss_wall(World w, Load* load, ContactPoint c, int slot) {
+  forget(c.memory);
+  open_wall(&load->account);
+  close_wall(w, slot, load->account, (real3)(0));
 }

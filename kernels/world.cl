@@ -10,6 +10,7 @@ typedef struct {
   real4 time;       // step, half step (s); drift, half drift (a position's units per velocity)
   real4 limits;     // x: largest overlap, as a fraction of the smaller radius
   int4 counts;      // particles, materials, planes, rectangles
+  int4 walls;       // all, cylinders, moving
 } Constants;
 
 // Laws of one pair of materials; m is the effective mass. docs/laws/linear.md, friction.md, cohesion.md
@@ -26,6 +27,8 @@ typedef struct {
   real spring;              // k_t
   real spring_damping;      // η_t = spring_damping + spring_damping_root_mass sqrt(m)
   real spring_damping_root_mass;
+  real rolling;             // coefficient of rolling resistance
+  int rolls;                // which law of it, 0 for none
   int history;              // which variant, of the bits below
   int hertz;                // stiffnesses grow with sqrt(R* δ): docs/laws/hertz.md
 } PairLaw;
@@ -34,28 +37,68 @@ typedef struct {
 #define ARM_SHORTENED 2    // by half the overlap
 #define TURN_PROJECTS 4    // and does not rescale
 #define REMEMBERS 8        // there is a spring at all
+#define KEEPS_FORCE 16     // while the contact grows stiffer
+
+#define ROLLS_CONSTANT 1
+#define ROLLS_SPRING 2
+
+typedef struct {
+  real4 velocity;  // where the shape is held, of a wall that turns
+  real4 spin;
+  real4 offset;    // from the wall's reference point to where its shape is held
+  int4 wall;       // material, index among the scene's walls, row among those that move or -1, 1 if inside a cylinder
+} Surface;
 
 typedef struct {
   PlaneShape shape;
-  int4 wall;  // x: material, y: index among the scene's walls
+  Surface surface;
 } Plane;
 
 typedef struct {
   RectangleShape shape;
-  int4 wall;
+  Surface surface;
 } Rectangle;
 
 typedef struct {
-  real4 support;  // w: power taken out by normal dashpots
-  real4 weight;   // w: power taken out by friction
-  real4 drag;     // w: elastic energy
-  real4 other;    // x: cohesive energy
+  CylinderShape shape;
+  Surface surface;
+} Cylinder;
+
+// Where a wall is at one step; planes and cylinders go through the centre.
+typedef struct {
+  RectangleShape shape;
+  real4 velocity;
+  real4 offset;
+  int tracked;
+} Stand;
+
+typedef struct {
+  real4 support;    // w: power of walls on normal dashpots
+  real4 weight;     // w: power of walls on friction
+  real4 drag;       // w: energy of normal springs
+  real4 other;      // energies: cohesive, of tangential springs, of rolling springs; w: power of walls
+  real4 braking;    // forces of normal dashpots; w: power of walls on rolling resistance
+  real4 rubbing;    // forces of friction
+  real4 twisting;   // torques of friction
+  real4 resisting;  // torques of rolling resistance
 } Tally;
 
 typedef struct {
-  real4 sum[3];   // support impulse, dissipated_normal; field impulse, dissipated_tangential; work of gravity, of drag
+  real4 sum[3];   // kernels/booking.cl
   real4 rest[3];  // what rounding left out of the sums
+  real4 start;    // Tally::other of step 0
 } LedgerSums;
+
+// Of one wall on one particle.
+typedef struct {
+  real4 force;
+  real4 moment;  // about the wall's reference point
+} WallTally;
+
+typedef struct {
+  real4 sum[2];
+  real4 rest[2];
+} WallSums;
 
 typedef struct {
   const global Box* box;
@@ -63,10 +106,12 @@ typedef struct {
   const global PairLaw* laws;
   const global Plane* planes;
   const global Rectangle* rectangles;
+  const global Cylinder* cylinders;
   const global int* materials;
   const global Reach* reaches;        // of cohesion
   const global real* drag_rates;      // 1/τ
   const global real4* gravity_table;  // by step, from table_origin
+  const global Stand* stands;         // of moving walls, likewise
   global Position* positions;
   global real4* velocities;           // as the integrator holds them; w: 1/mass, 0 when fixed
   global real4* rests;                // what rounding left out of the velocities
@@ -74,12 +119,16 @@ typedef struct {
   global real4* reported;             // velocities at the step boundary
   global Tally* tallies;
   global LedgerSums* sums;
+  global WallTally* wall_tallies;     // a slot for every particle and wall, as for springs
+  global WallSums* wall_sums;
   global real4* spins;                // angular velocities as the integrator holds them; w: 1/inertia, 0 when fixed
   global real4* spin_rests;
   global real4* angular_accelerations;
   global real4* reported_spins;
-  global real4* springs;              // a slot for every entry of the list, or of the table of all pairs
-  global real4* wall_springs;         // a slot for every particle and wall; w as in history.cl
+  global real4* orientations;         // quaternions, the scalar last
+  global real4* orientation_rests;
+  global real4* springs;              // a memory for every entry of the list, or of the table of all pairs
+  global real4* wall_springs;         // for every particle and wall: planes, rectangles, cylinders
   global int4* faults;                // step, cause, partner or face
   global int* signals;
   int table_origin;
@@ -87,18 +136,22 @@ typedef struct {
 
 #define WORLD_PARAMETERS                                                                                   \
   const global Box *box, const global Constants *constants, const global PairLaw *laws,                    \
-      const global Plane *planes, const global Rectangle *rectangles, const global int *materials,         \
-      const global Reach *reaches, const global real *drag_rates, const global real4 *gravity_table,       \
-      global Position *positions, global real4 *velocities, global real4 *rests,                           \
-      global real4 *accelerations, global real4 *reported, global Tally *tallies, global LedgerSums *sums, \
-      global real4 *spins, global real4 *spin_rests, global real4 *angular_accelerations,                  \
-      global real4 *reported_spins, global real4 *springs, global real4 *wall_springs,                     \
+      const global Plane *planes, const global Rectangle *rectangles, const global Cylinder *cylinders,    \
+      const global int *materials, const global Reach *reaches, const global real *drag_rates,             \
+      const global real4 *gravity_table, const global Stand *stands, global Position *positions,           \
+      global real4 *velocities, global real4 *rests, global real4 *accelerations, global real4 *reported,  \
+      global Tally *tallies, global LedgerSums *sums, global WallTally *wall_tallies,                      \
+      global WallSums *wall_sums, global real4 *spins, global real4 *spin_rests,                           \
+      global real4 *angular_accelerations, global real4 *reported_spins, global real4 *orientations,       \
+      global real4 *orientation_rests, global real4 *springs, global real4 *wall_springs,                  \
       global int4 *faults, global int *signals, const int table_origin
 
-#define WORLD                                                                                     \
-  {box,       constants,  laws,  planes,        rectangles, materials, reaches, drag_rates, gravity_table, \
-   positions, velocities, rests, accelerations, reported,   tallies,   sums,    spins,      spin_rests,    \
-   angular_accelerations, reported_spins, springs, wall_springs, faults, signals, table_origin}
+#define WORLD                                                                                              \
+  {box,       constants,  laws,         planes,        rectangles, cylinders,             materials,       \
+   reaches,   drag_rates, gravity_table, stands,       positions,  velocities,            rests,           \
+   accelerations, reported, tallies,    sums,          wall_tallies, wall_sums,           spins,           \
+   spin_rests, angular_accelerations,   reported_spins, orientations, orientation_rests,  springs,         \
+   wall_springs, faults,  signals,      table_origin}
 
 typedef struct {
   Position position;
@@ -120,3 +173,5 @@ INLINE Body load_body(World w, int i) {
 }
 
 INLINE PairLaw law_between(World w, int a, int b) { return w.laws[a * w.constants->counts.y + b]; }
+
+INLINE int walls_of(World w) { return w.constants->walls.x; }

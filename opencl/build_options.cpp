@@ -14,8 +14,7 @@ namespace {
 std::vector<PairCoefficients> laws_in_play(const Scene& scene, const NearWalls& near) {
   std::vector<char> of_particle(scene.materials.size()), of_wall(scene.materials.size());
   for (const Particle& p : scene.particles) of_particle[static_cast<std::size_t>(p.material)] = 1;
-  for (const auto& wall : near.planes) of_wall[static_cast<std::size_t>(wall.material)] = 1;
-  for (const auto& wall : near.rectangles) of_wall[static_cast<std::size_t>(wall.material)] = 1;
+  near.each([&](const auto& wall) { of_wall[static_cast<std::size_t>(wall.material)] = 1; });
   std::vector<PairCoefficients> laws;
   for (std::size_t a = 0; a < scene.materials.size(); ++a)
     for (std::size_t b = 0; b < scene.materials.size(); ++b)
@@ -84,14 +83,19 @@ BuildOptions build_options(const Scene& scene, const Request& request, Precision
   BuildOptions o;
   o.precision = precision;
   o.integrator = scene.run.integrator;
-  o.friction = std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.friction > 0.0; });
-  o.history =
-      std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.history.coefficient > 0.0; });
-  o.hertz = std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.hertz; });
+  const auto any = [&](const auto& test) { return std::any_of(laws.begin(), laws.end(), test); };
+  o.friction = any([](const auto& law) { return law.friction > 0.0; });
+  o.history = any([](const auto& law) { return law.history.present; });
+  o.hertz = any([](const auto& law) { return law.hertz; });
   o.rotation = scene.rotation;
-  o.cohesion = std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.cohesion > 0.0; });
+  o.rolling_constant = any([](const auto& law) { return law.rolls == RollingKind::constant; });
+  o.rolling_spring = any([](const auto& law) { return law.rolls == RollingKind::spring; });
+  o.orientation = scene.orientation;
+  o.cohesion = any([](const auto& law) { return law.cohesion > 0.0; });
   o.planes = !near.planes.empty();
   o.rectangles = !near.rectangles.empty();
+  o.cylinders = !near.cylinders.empty();
+  o.moving_walls = near.any_moves();
   for (int axis = 0; axis < 3; ++axis)
     o.periodic[static_cast<std::size_t>(axis)] = scene.domain.periodic(axis);
   o.flow = kind_of(scene.flow);
@@ -104,42 +108,77 @@ BuildOptions build_options(const Scene& scene, const Request& request, Precision
 
 BuildOptions with_every_stage(BuildOptions lean) {
   lean.friction = lean.cohesion = lean.planes = lean.rectangles = lean.many_materials = lean.ledger = true;
-  lean.history = lean.hertz = lean.rotation = true;
+  lean.history = lean.hertz = lean.rotation = lean.rolling_constant = lean.rolling_spring = true;
+  lean.cylinders = lean.moving_walls = true;
+  if (lean.orientation == OrientationUpdate::none) lean.orientation = OrientationUpdate::exponential;
   lean.periodic = {true, true, true};
   if (lean.flow == FlowKind::none) lean.flow = FlowKind::uniform;
   if (lean.gravity == GravityKind::none) lean.gravity = GravityKind::constant;
   return lean;
 }
 
+namespace {
+
+std::vector<std::string> law_files(const BuildOptions& o) {
+  const bool rolls = o.rolling_constant || o.rolling_spring;
+  return {o.ledger ? "ledger_kept.cl" : "ledger_none.cl",
+          o.ledger ? "booking.cl" : "booking_none.cl",
+          o.hertz ? "rise_hertz.cl" : "rise_none.cl",
+          "linear_normal.cl",
+          o.friction ? "friction_viscous.cl" : "friction_none.cl",
+          o.cohesion ? "cohesion_linear.cl" : "cohesion_none.cl",
+          o.rotation ? "rotation.cl" : "rotation_none.cl",
+          "rolling_point.cl",
+          o.rolling_constant ? "rolling_constant.cl" : "rolling_constant_none.cl",
+          o.rolling_spring ? "rolling_spring.cl" : "rolling_spring_none.cl",
+          rolls ? "rolling.cl" : "rolling_none.cl",
+          o.history ? "history.cl" : "history_none.cl",
+          "contact.cl"};
+}
+
+std::vector<std::string> detector_files(const BuildOptions& o) {
+  return {"spheres.cl",
+          o.moving_walls ? "walls_moving.cl" : "walls_still.cl",
+          "walls_common.cl",
+          o.planes ? "planes.cl" : "planes_none.cl",
+          o.rectangles ? "rectangles.cl" : "rectangles_none.cl",
+          o.cylinders ? "cylinders.cl" : "cylinders_none.cl"};
+}
+
+std::vector<std::string> orientation_files(OrientationUpdate update) {
+  switch (update) {
+    case OrientationUpdate::none:
+      return {"orientation_none.cl"};
+    case OrientationUpdate::exponential:
+      return {"quaternion.cl", "orientation_exponential.cl", "orientation_kept.cl"};
+    case OrientationUpdate::forward_euler:
+      return {"quaternion.cl", "orientation_forward_euler.cl", "orientation_kept.cl"};
+  }
+  return {};
+}
+
+std::vector<std::string> motion_files(const BuildOptions& o) {
+  std::vector<std::string> files{"forces.cl", "drift.cl"};
+  for (const std::string& file : orientation_files(o.orientation)) files.push_back(file);
+  for (const std::string& file : {std::string(name_of(o.integrator)) + ".cl", std::string("boundary.cl"),
+                                  std::string(o.rotation ? "boundary_spin.cl" : "boundary_spin_none.cl")})
+    files.push_back(file);
+  return files;
+}
+
+}  // namespace
+
 std::vector<std::string> kernel_files(const BuildOptions& o, bool pocl) {
   const bool drag_in_force =
       o.flow != FlowKind::none && o.integrator != Integrator::euler_trapezoid_implicit_drag;
+  const std::vector<std::string> fields{file_of(o.gravity), file_of(o.flow),
+                                        drag_in_force ? "drag_in_force.cl" : "drag_by_integrator.cl"};
+  const std::vector<std::string> path =
+      o.small ? std::vector<std::string>{"small.cl"}
+              : std::vector<std::string>{"scan.cl", "sorting.cl", "zones.cl", "pairs.cl", "steps.cl"};
   std::vector<std::string> files = number_files(o.precision, pocl);
-  const std::vector<std::string> physics{o.ledger ? "ledger_kept.cl" : "ledger_none.cl",
-                                         o.hertz ? "rise_hertz.cl" : "rise_none.cl",
-                                         "linear_normal.cl",
-                                         o.friction ? "friction_viscous.cl" : "friction_none.cl",
-                                         o.cohesion ? "cohesion_linear.cl" : "cohesion_none.cl",
-                                         o.history ? "history.cl" : "history_none.cl",
-                                         o.rotation ? "rotation.cl" : "rotation_none.cl",
-                                         "contact.cl",
-                                         "spheres.cl",
-                                         "walls_common.cl",
-                                         o.planes ? "planes.cl" : "planes_none.cl",
-                                         o.rectangles ? "rectangles.cl" : "rectangles_none.cl",
-                                         file_of(o.gravity),
-                                         file_of(o.flow),
-                                         drag_in_force ? "drag_in_force.cl" : "drag_by_integrator.cl",
-                                         "forces.cl",
-                                         "drift.cl",
-                                         std::string(name_of(o.integrator)) + ".cl",
-                                         "boundary.cl",
-                                         o.rotation ? "boundary_spin.cl" : "boundary_spin_none.cl"};
-  files.insert(files.end(), physics.begin(), physics.end());
-  const std::vector<std::string> small{"small.cl"};
-  const std::vector<std::string> zoned{"scan.cl", "sorting.cl", "zones.cl", "pairs.cl", "steps.cl"};
-  const auto& path = o.small ? small : zoned;
-  files.insert(files.end(), path.begin(), path.end());
+  for (const auto& part : {law_files(o), detector_files(o), fields, motion_files(o), path})
+    files.insert(files.end(), part.begin(), part.end());
   if (o.history && !o.small) files.push_back("carry.cl");
   return files;
 }

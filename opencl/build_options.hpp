@@ -24,6 +24,11 @@ struct BuildOptions {
   bool cohesion = false;
   bool planes = false;
   bool rectangles = false;
+  bool cylinders = false;
+  bool moving_walls = false;
+  bool rolling_constant = false;
+  bool rolling_spring = false;
+  OrientationUpdate orientation = OrientationUpdate::none;
   std::array<bool, 3> periodic{};
   FlowKind flow = FlowKind::none;
   GravityKind gravity = GravityKind::none;

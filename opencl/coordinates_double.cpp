@@ -45,8 +45,21 @@ Double::Box Coordinates<Double>::box(const Domain& domain, const std::array<int,
   return box;
 }
 
-Double::PlaneShape Coordinates<Double>::plane(const Plane& wall, const Domain&) const {
-  return {four(wall.point - origin_), four(wall.normal)};
+Vec3 Coordinates<Double>::held_at(const Plane& wall, const Domain&) const {
+  return wall.point;
+}
+
+Vec3 Coordinates<Double>::held_at(const Cylinder& wall, const Domain&) const {
+  return wall.point;
+}
+
+Double::PlaneShape Coordinates<Double>::plane(const Plane& wall, const Domain& domain) const {
+  return {four(held_at(wall, domain) - origin_), four(wall.normal)};
+}
+
+Double::CylinderShape Coordinates<Double>::cylinder(const Cylinder& wall, const Domain& domain) const {
+  const auto [one, two] = across(wall.axis);
+  return {{plane({wall.point, one}, domain), plane({wall.point, two}, domain)}, wall.radius};
 }
 
 Double::RectangleShape Coordinates<Double>::rectangle(const Rectangle& wall) const {

@@ -75,19 +75,40 @@ Single::Box Coordinates<Single>::box(const Domain& domain, const std::array<int,
   return box;
 }
 
-// The point of the plane nearest to the middle of the domain, so that differences fit.
-Single::PlaneShape Coordinates<Single>::plane(const Plane& wall, const Domain& domain) const {
+// The point nearest to the middle of the domain, so that differences fit; a plane beyond every particle's
+// reach counts as one just there.
+Vec3 Coordinates<Single>::held_at(const Plane& wall, const Domain& domain) const {
   const Vec3 middle = (domain.lower + domain.upper) / 2;
-  const Vec3 point = middle - (middle - wall.point).dot(wall.normal) * wall.normal;
+  const double farthest = 1.37 * domain.extent().maxCoeff();
+  const double height = std::clamp((middle - wall.point).dot(wall.normal), -farthest, farthest);
+  return middle - height * wall.normal;
+}
+
+Vec3 Coordinates<Single>::held_at(const Cylinder& wall, const Domain& domain) const {
+  const Vec3 middle = (domain.lower + domain.upper) / 2;
+  return wall.point + (middle - wall.point).dot(wall.axis) * wall.axis;
+}
+
+Single::CylinderShape Coordinates<Single>::cylinder(const Cylinder& wall, const Domain& domain) const {
+  const auto [one, two] = across(wall.axis);
+  const Vec3 at = held_at(wall, domain);
+  return {{plane_held_at(at, one), plane_held_at(at, two)}, reach(wall.radius)};
+}
+
+Single::PlaneShape Coordinates<Single>::plane(const Plane& wall, const Domain& domain) const {
+  return plane_held_at(held_at(wall, domain), wall.normal);
+}
+
+Single::PlaneShape Coordinates<Single>::plane_held_at(const Vec3& point, const Vec3& normal) const {
   const Single::Position p = position(point);
   Single::PlaneShape shape{};
   shape.whole = p.whole;
   shape.part = p.part;
   for (int axis = 0; axis < 3; ++axis) {
-    const double whole = std::nearbyint(std::ldexp(wall.normal[axis], 30));
+    const double whole = std::nearbyint(std::ldexp(normal[axis], 30));
     shape.normal_whole.s[axis] = static_cast<cl_long>(whole);
-    shape.normal_part.s[axis] = static_cast<cl_float>(wall.normal[axis] - std::ldexp(whole, -30));
-    shape.normal.s[axis] = static_cast<cl_float>(wall.normal[axis]);
+    shape.normal_part.s[axis] = static_cast<cl_float>(normal[axis] - std::ldexp(whole, -30));
+    shape.normal.s[axis] = static_cast<cl_float>(normal[axis]);
   }
   return shape;
 }

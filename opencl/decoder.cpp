@@ -18,6 +18,14 @@ class DecoderOf : public Decoder {
     const auto v = value_at<typename P::Real4>(vectors, i);
     return {v.s[0], v.s[1], v.s[2]};
   }
+  Quaternion quaternion(std::span<const std::byte> vectors, std::size_t i) const override {
+    const auto q = value_at<typename P::Real4>(vectors, i);
+    return Quaternion(q.s[3], q.s[0], q.s[1], q.s[2]);
+  }
+  void put(std::span<std::byte> vectors, std::size_t i, const Vec3& vector, double fourth) const override {
+    const auto four = four_of<P>(vector, fourth);
+    std::memcpy(vectors.data() + i * sizeof(four), &four, sizeof(four));
+  }
   double fourth(std::span<const std::byte> vectors, std::size_t i) const override {
     return value_at<typename P::Real4>(vectors, i).s[3];
   }
@@ -26,6 +34,8 @@ class DecoderOf : public Decoder {
   std::size_t reach_bytes() const override { return sizeof(typename P::Reach); }
   std::size_t tally_bytes() const override { return sizeof(Tally<P>); }
   std::size_t ledger_bytes() const override { return sizeof(LedgerSums<P>); }
+  std::size_t wall_tally_bytes() const override { return sizeof(WallTally<P>); }
+  std::size_t wall_sums_bytes() const override { return sizeof(WallSums<P>); }
 
  private:
   /// A part of a quantum, or a rounding, may lie across a periodic face.

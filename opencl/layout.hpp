@@ -44,6 +44,10 @@ struct Single {
     cl_int4 half_whole;
     cl_float4 half_part;
   };
+  struct CylinderShape {
+    PlaneShape across[2];
+    Reach radius;
+  };
   struct Wave {
     cl_ulong4 offset;
     cl_ulong4 turns;
@@ -77,6 +81,10 @@ struct Double {
     Position centre;
     cl_double4 half_extent;
   };
+  struct CylinderShape {
+    PlaneShape across[2];
+    Reach radius;
+  };
   struct Wave {
     cl_double4 origin;
     cl_double4 number;
@@ -92,6 +100,7 @@ struct Constants {
   typename P::Real4 time;
   typename P::Real4 limits;
   cl_int4 counts;
+  cl_int4 walls;
 };
 
 template <class P>
@@ -99,34 +108,72 @@ struct PairLaw {
   typename P::Real stiffness, damping, damping_root_mass, lowest;
   typename P::Real friction, viscosity, viscosity_root_mass, cohesion;
   typename P::Real sliding, spring, spring_damping, spring_damping_root_mass;
-  cl_int history, hertz;
+  typename P::Real rolling;
+  cl_int rolls, history, hertz;
+};
+
+template <class P>
+struct Surface {
+  typename P::Real4 velocity, spin, offset;
+  cl_int4 wall;
 };
 
 template <class P>
 struct PlaneOf {
   typename P::PlaneShape shape;
-  cl_int4 wall;
+  Surface<P> surface;
 };
 
 template <class P>
 struct RectangleOf {
   typename P::RectangleShape shape;
-  cl_int4 wall;
+  Surface<P> surface;
+};
+
+template <class P>
+struct CylinderOf {
+  typename P::CylinderShape shape;
+  Surface<P> surface;
+};
+
+template <class P>
+struct Stand {
+  typename P::RectangleShape shape;
+  typename P::Real4 velocity, offset;
+  cl_int tracked;
 };
 
 template <class P>
 struct Tally {
-  typename P::Real4 support, weight, drag, other;
+  typename P::Real4 support, weight, drag, other, braking, rubbing, twisting, resisting;
 };
 
 template <class P>
 struct LedgerSums {
   typename P::Real4 sum[3];
   typename P::Real4 rest[3];
+  typename P::Real4 start;
+};
+
+template <class P>
+struct WallTally {
+  typename P::Real4 force, moment;
+};
+
+template <class P>
+struct WallSums {
+  typename P::Real4 sum[2];
+  typename P::Real4 rest[2];
 };
 
 /// Bits of PairLaw::history, kernels/world.cl.
-enum HistoryBit { limit_on_spring = 1, arm_shortened = 2, turn_projects = 4, remembers = 8 };
+enum HistoryBit {
+  limit_on_spring = 1,
+  arm_shortened = 2,
+  turn_projects = 4,
+  remembers = 8,
+  keeps_force = 16
+};
 
 /// Signals and causes of kernels/faults.cl.
 enum Signal { stale_at, escaped_at, overlapped_at, halted, signal_count };

@@ -10,4 +10,8 @@ namespace grainproof::opencl {
 /// particles outside the domain, bodies larger than it in single precision.
 Support within_limits(const Scene& scene, Precision precision);
 
+/// Of one wall, and of one contact that remembers at the start.
+Support wall_within_limits(const Wall& wall, const Scene& scene, Precision precision);
+Support memory_within_limits(const ContactMemory& memory, const Scene& scene);
+
 }  // namespace grainproof::opencl

@@ -3,6 +3,7 @@
 #include "opencl/near_walls.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace grainproof::opencl {
 namespace {
@@ -32,7 +33,87 @@ Rectangle clipped(const Rectangle& rectangle, const Domain& domain, double reach
           rectangle.upper.cwiseMin(highest).cwiseMax(lowest)};
 }
 
+Vec3 reference_of(const Rectangle& rectangle) {
+  return rectangle.lower;
+}
+Vec3 reference_of(const Plane& plane) {
+  return plane.point;
+}
+Vec3 reference_of(const Cylinder& cylinder) {
+  return cylinder.point;
+}
+
+/// Sorts the walls of a scene by shape.
+class Sorter {
+ public:
+  explicit Sorter(const Scene& scene) : domain_(scene.domain), reach_(largest_reach(scene)) {}
+
+  void add(const Wall& wall, std::int32_t index) {
+    std::visit([&](const auto& shape) { add(shape, wall, index); }, wall.shape);
+  }
+  NearWalls sorted() {
+    std::int32_t row = 0;
+    const auto number = [&](auto& walls) {
+      for (auto& wall : walls) wall.row = changes_place(wall.motion) ? row++ : -1;
+    };
+    number(near_.planes), number(near_.rectangles), number(near_.cylinders);
+    return std::move(near_);
+  }
+
+ private:
+  void add(const Plane& plane, const Wall& wall, std::int32_t index) {
+    if (changes_place(wall.motion) || can_touch(plane, domain_, reach_))
+      near_.planes.push_back(made(plane, plane, wall, index));
+  }
+  void add(const Rectangle& rectangle, const Wall& wall, std::int32_t index) {
+    if (changes_place(wall.motion))
+      near_.rectangles.push_back(made(rectangle, rectangle, wall, index));
+    else if (can_touch(rectangle, domain_, reach_))
+      near_.rectangles.push_back(made(clipped(rectangle, domain_, reach_), rectangle, wall, index));
+  }
+  void add(const Cylinder& cylinder, const Wall& wall, std::int32_t index) {
+    near_.cylinders.push_back(made(cylinder, cylinder, wall, index));
+  }
+  template <class Shape>
+  static NearWall<Shape> made(const Shape& shape, const Shape& drawn, const Wall& wall, std::int32_t index) {
+    return {shape, wall.material, index, wall.motion, reference_of(drawn), -1};
+  }
+
+  const Domain& domain_;
+  double reach_;
+  NearWalls near_;
+};
+
 }  // namespace
+
+bool changes_place(const WallMotion& motion) {
+  return std::holds_alternative<Translating>(motion) || std::holds_alternative<Vibrating>(motion);
+}
+
+std::size_t NearWalls::moving() const {
+  std::size_t moving = 0;
+  each([&](const auto& wall) { moving += wall.row >= 0 ? 1 : 0; });
+  return moving;
+}
+
+bool NearWalls::any_moves() const {
+  bool moves = false;
+  each([&](const auto& wall) { moves = moves || !std::holds_alternative<Still>(wall.motion); });
+  return moves;
+}
+
+Rectangle within_reach(const Rectangle& rectangle, const Domain& domain, double reach) {
+  Rectangle seen = clipped(rectangle, domain, 1.001 * reach);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!domain.periodic(axis)) continue;
+    const double period = domain.extent()[axis], length = rectangle.upper[axis] - rectangle.lower[axis];
+    const double middle = rectangle.lower[axis] + length / 2, half = std::min(length / 2, period / 2);
+    const double inside = middle - period * std::floor((middle - domain.lower[axis]) / period);
+    seen.lower[axis] = inside - half;
+    seen.upper[axis] = inside + half;
+  }
+  return seen;
+}
 
 double largest_reach(const Scene& scene) {
   double reach = 0.0;
@@ -41,19 +122,10 @@ double largest_reach(const Scene& scene) {
 }
 
 NearWalls near_walls(const Scene& scene) {
-  const double reach = largest_reach(scene);
-  NearWalls near;
-  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
-    const Wall& wall = scene.walls[i];
-    const auto index = static_cast<std::int32_t>(i);
-    if (const auto* plane = std::get_if<Plane>(&wall.shape)) {
-      if (can_touch(*plane, scene.domain, reach)) near.planes.push_back({*plane, wall.material, index});
-    } else if (const auto* rectangle = std::get_if<Rectangle>(&wall.shape)) {
-      if (can_touch(*rectangle, scene.domain, reach))
-        near.rectangles.push_back({clipped(*rectangle, scene.domain, reach), wall.material, index});
-    }
-  }
-  return near;
+  Sorter sorter(scene);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i)
+    sorter.add(scene.walls[i], static_cast<std::int32_t>(i));
+  return sorter.sorted();
 }
 
 }  // namespace grainproof::opencl

@@ -71,8 +71,8 @@ struct FrictionInto {
     if (!(k > 0.0)) throw InputRefused("friction with history needs a tangential stiffness above 0");
     const double normal = 1.5 * c.stiffness;  // of a Hertz contact: 2 E*
     const double ratio = law.damping_ratio * (c.hertz ? std::sqrt(k / normal) : 1.0);
-    c.history = {law.coefficient, k,       {ratio * c.damping.constant, ratio * c.damping.per_root_mass},
-                 law.limit,       law.arm, law.turn};
+    const MassLaw damping{ratio * c.damping.constant, ratio * c.damping.per_root_mass};
+    c.history = {true, law.coefficient, k, damping, law.limit, law.arm, law.turn, law.memory};
   }
 };
 
@@ -81,6 +81,22 @@ struct CohesionInto {
 
   void operator()(const NoCohesion&) const {}
   void operator()(const LinearCohesion& law) const { c.cohesion = law.stiffness; }
+};
+
+struct RollingInto {
+  PairCoefficients& c;
+
+  void operator()(const NoRolling&) const {}
+  void operator()(const ConstantTorqueRolling& law) const {
+    if (law.coefficient > 0.0) c.rolls = RollingKind::constant;
+    c.rolling = law.coefficient;
+  }
+  void operator()(const SpringRolling& law) const {
+    if (!c.history.present)
+      throw InputRefused("a rolling spring takes its stiffness from friction with history, which is missing");
+    if (law.coefficient > 0.0) c.rolls = RollingKind::spring;
+    c.rolling = law.coefficient;
+  }
 };
 
 }  // namespace
@@ -137,6 +153,7 @@ PairCoefficients coefficients_of(const Scene& scene, std::size_t a, std::size_t 
              laws.normal);
   std::visit(FrictionInto{c, scene.run.step, shear_modulus}, laws.friction);
   std::visit(CohesionInto{c}, laws.cohesion);
+  std::visit(RollingInto{c}, laws.rolling);
   return c;
 }
 

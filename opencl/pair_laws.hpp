@@ -17,13 +17,18 @@ struct MassLaw {
 
 /// docs/laws/history.md; with Hertz the stiffness and the damping rise with the overlap.
 struct HistoryCoefficients {
-  double coefficient = 0.0;  ///< 0 without
+  bool present = false;
+  double coefficient = 0.0;
   double stiffness = 0.0;
   MassLaw damping;
   CoulombLimit limit{};
   TorqueArm arm{};
   SpringTurn turn{};
+  SpringMemory memory{};
 };
+
+/// docs/laws/rolling.md; the numbers are those of kernels/world.cl.
+enum class RollingKind { none = 0, constant = 1, spring = 2 };
 
 /// Laws of one pair of materials as the kernels take them. docs/laws/linear.md, friction.md, cohesion.md
 struct PairCoefficients {
@@ -36,6 +41,8 @@ struct PairCoefficients {
   double cohesion = 0.0;
   bool hertz = false;  ///< stiffness in Pa, to be multiplied by sqrt(R* δ); damping by its root
   HistoryCoefficients history;
+  RollingKind rolls = RollingKind::none;
+  double rolling = 0.0;
 };
 
 /// Laws of materials `a` and `b`. Throws InputRefused for what the equations cannot give.

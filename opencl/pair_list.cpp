@@ -20,7 +20,7 @@ cl::Buffer integers(Workshop& workshop, std::size_t count) {
 }  // namespace
 
 PairList::PairList(Workshop& workshop, Program& program, const SceneImage& image, const Decoder& decoder,
-                   const ZoneGrid& grid, std::size_t work_group, bool history)
+                   const ZoneGrid& grid, std::size_t work_group, std::size_t memory_bytes)
     : workshop_(workshop),
       program_(program),
       particles_(image.particles),
@@ -34,18 +34,17 @@ PairList::PairList(Workshop& workshop, Program& program, const SceneImage& image
       members_(integers(workshop, padded_)),
       pair_counts_(integers(workshop, padded_)),
       built_at_(workshop.room(padded_ * decoder.position_bytes())),
-      history_(history),
-      spring_bytes_(decoder.vector_bytes()) {
+      memory_bytes_(memory_bytes) {
   for (Entries* entries : {&now_, &before_}) {
-    entries->starts = integers(workshop, history || entries == &now_ ? padded_ : 0);
+    entries->starts = integers(workshop, memory_bytes > 0 || entries == &now_ ? padded_ : 0);
     entries->partners = integers(workshop, 0);
-    entries->springs = workshop.upload(Bytes(spring_bytes_));
+    entries->springs = workshop.upload(Bytes(std::max<std::size_t>(memory_bytes, 1)));
   }
 }
 
 void PairList::build(const World& world) {
   const Range particles{padded_, work_group_};
-  if (history_) std::swap(now_, before_);
+  if (memory_bytes_ > 0) std::swap(now_, before_);
   fill_zones(world);
   launch_in_world(workshop_, program_, "pair_count", particles, world, zone_starts_, members_, pair_counts_);
   scan_.exclusive(pair_counts_, now_.starts, padded_ + 1);
@@ -54,7 +53,7 @@ void PairList::build(const World& world) {
   make_room(total);
   launch_in_world(workshop_, program_, "pair_fill", particles, world, zone_starts_, members_, now_.starts,
                   now_.partners);
-  if (history_)
+  if (memory_bytes_ > 0)
     workshop_.launch(program_, "carry_springs", particles, before_.starts, before_.partners, before_.springs,
                      now_.starts, now_.partners, now_.springs);
   entries_ = total;
@@ -76,7 +75,7 @@ void PairList::make_room(std::int64_t entries) {
   now_.room = entries + entries / 4;
   const auto room = static_cast<std::size_t>(now_.room);
   now_.partners = workshop_.room(sizeof(cl_int) * room);
-  if (history_) now_.springs = workshop_.room(spring_bytes_ * room);
+  if (memory_bytes_ > 0) now_.springs = workshop_.room(memory_bytes_ * room);
 }
 
 }  // namespace grainproof::opencl

@@ -10,15 +10,16 @@ namespace grainproof::opencl {
 class PairList {
  public:
   PairList(Workshop& workshop, Program& program, const SceneImage& image, const Decoder& decoder,
-           const ZoneGrid& grid, std::size_t work_group, bool history = false);
+           const ZoneGrid& grid, std::size_t work_group, std::size_t memory_bytes = 0);
 
-  /// For the positions that `world` has now. Waits once, for the number of pairs. With history, springs of
-  /// the list before are carried over.
+  /// For the positions that `world` has now. Waits once, for the number of pairs. Where an entry has a
+  /// memory, those of the list before are carried over.
   void build(const World& world);
 
   const cl::Buffer& starts() const { return now_.starts; }
   const cl::Buffer& partners() const { return now_.partners; }
-  /// One vector an entry; not there without history.
+  /// `memory_bytes` an entry; not there where that is 0.
+  cl::Buffer& springs() { return now_.springs; }
   const cl::Buffer& springs() const { return now_.springs; }
   const cl::Buffer& built_at() const { return built_at_; }
   /// Entries of the list: a pair of moving particles has two.
@@ -42,9 +43,8 @@ class PairList {
   Scan scan_;
   cl::Buffer zone_counts_, zone_starts_, zone_of_particle_, members_;
   cl::Buffer pair_counts_, built_at_;
-  bool history_;
-  std::size_t spring_bytes_;
-  Entries now_, before_;  ///< the second only with history
+  std::size_t memory_bytes_;
+  Entries now_, before_;  ///< the second only where entries have a memory
   std::int64_t entries_ = 0;
 };
 

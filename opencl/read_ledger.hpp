@@ -7,12 +7,13 @@
 namespace grainproof::opencl {
 
 struct LedgerBytes {
-  Bytes tallies, sums, velocities;
+  Bytes tallies, sums, velocities, spins;
+  Bytes wall_tallies, wall_sums;  ///< a slot for every particle and wall within reach
 };
 
 /// Adds up in id order, in double. `pending` is how long the last forces have acted beyond what the
 /// integrator has booked, s.
-Ledger read_ledger(const Scene& scene, const Frame& now, const LedgerBytes& bytes, const Decoder& decoder,
-                   double pending);
+Ledger read_ledger(const Scene& scene, const NearWalls& walls, const Frame& now, const LedgerBytes& bytes,
+                   const Decoder& decoder, double pending);
 
 }  // namespace grainproof::opencl

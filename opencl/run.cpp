@@ -5,6 +5,7 @@
 #include "opencl/bytes.hpp"
 #include "opencl/failure.hpp"
 #include "opencl/read_ledger.hpp"
+#include "opencl/wall_image.hpp"
 
 namespace grainproof::opencl {
 namespace {
@@ -31,7 +32,9 @@ DeviceRun::DeviceRun(std::shared_ptr<Workshop> workshop, const Scene& scene, con
       decoder_(make_decoder(options.precision, scene.domain)),
       world_(make_world(*workshop_, image_, *decoder_, options)),
       program_(workshop_->program(options)),
-      particles_{image_.padded, work_group} {}
+      particles_{image_.padded, work_group} {
+  remember_walls();
+}
 
 void DeviceRun::advance(std::int64_t steps) {
   if (steps <= 0) return;
@@ -74,15 +77,21 @@ Bytes DeviceRun::read_spins(const cl::Buffer& buffer) {
   return scene_.rotation ? read_particles(buffer, decoder_->vector_bytes()) : Bytes{};
 }
 
+Bytes DeviceRun::read_orientations() {
+  const bool kept = scene_.orientation != OrientationUpdate::none;
+  return kept ? read_particles(world_.orientations, decoder_->vector_bytes()) : Bytes{};
+}
+
 Frame DeviceRun::frame() {
   synchronise();
   return frame_of(done_, read_particles(world_.positions, decoder_->position_bytes()),
                   read_particles(world_.reported, decoder_->vector_bytes()),
-                  read_spins(world_.reported_spins));
+                  read_spins(world_.reported_spins), read_orientations());
 }
 
 Frame DeviceRun::frame_of(std::int64_t step, std::span<const std::byte> positions,
-                          std::span<const std::byte> velocities, std::span<const std::byte> spins) const {
+                          std::span<const std::byte> velocities, std::span<const std::byte> spins,
+                          std::span<const std::byte> orientations) const {
   Frame frame;
   frame.step = step;
   frame.time = static_cast<double>(step) * scene_.run.step;
@@ -92,6 +101,7 @@ Frame DeviceRun::frame_of(std::int64_t step, std::span<const std::byte> position
     frame.position.push_back(decoder_->position(positions, i));
     frame.velocity.push_back(decoder_->vector(velocities, i));
     if (scene_.rotation) frame.angular_velocity.push_back(decoder_->vector(spins, i));
+    if (!orientations.empty()) frame.orientation.push_back(decoder_->quaternion(orientations, i));
   }
   return frame;
 }
@@ -106,6 +116,7 @@ State DeviceRun::state() {
   state.position = now.position;
   state.velocity = now.velocity;
   state.angular_velocity = now.angular_velocity;
+  state.orientation = now.orientation;
   state.contacts = memories();
   state.velocity_lag = lags ? 0.5 : 0.0;
   if (lags) {
@@ -127,10 +138,13 @@ std::uint64_t DeviceRun::digest() {
     hash = hashed(hash, read_particles(vectors, decoder_->vector_bytes()));
   for (const cl::Buffer& vectors : {world_.spins, world_.spin_rests, world_.angular_accelerations})
     hash = hashed(hash, read_spins(vectors));
+  hash = hashed(hash, read_orientations());
   for (const ContactMemory& memory : memories()) {
     const std::array words{memory.first, memory.second};
     hash = hashed(hash, std::as_bytes(std::span(words)));
-    hash = hashed(hash, std::as_bytes(std::span(memory.tangential_displacement.data(), 3)));
+    hash = hashed(hash, std::as_bytes(std::span(&memory.overlap, 1)));
+    for (const Vec3& spring : {memory.tangential_displacement, memory.rolling_torque})
+      hash = hashed(hash, std::as_bytes(std::span(spring.data(), 3)));
   }
   return hash;
 }
@@ -138,20 +152,26 @@ std::uint64_t DeviceRun::digest() {
 Ledger DeviceRun::ledger() {
   if (!options_.ledger) return {};
   ensure_started();
-  LedgerBytes bytes{read_particles(world_.tallies, decoder_->tally_bytes()),
-                    read_particles(world_.sums, decoder_->ledger_bytes()),
-                    read_particles(world_.velocities, decoder_->vector_bytes())};
-  const Frame now = frame();
   const bool half_step_behind = done_ > 0 && (scene_.run.integrator == Integrator::leapfrog_verlet ||
                                               scene_.run.integrator == Integrator::velocity_verlet);
-  return read_ledger(scene_, now, bytes, *decoder_, half_step_behind ? scene_.run.step / 2 : 0.0);
+  const double pending = half_step_behind ? scene_.run.step / 2 : 0.0;
+  const std::size_t slots = image_.near.count();
+  const LedgerBytes bytes{read_particles(world_.tallies, decoder_->tally_bytes()),
+                          read_particles(world_.sums, decoder_->ledger_bytes()),
+                          read_particles(world_.velocities, decoder_->vector_bytes()),
+                          read_spins(world_.spins),
+                          read_particles(world_.wall_tallies, slots * decoder_->wall_tally_bytes()),
+                          read_particles(world_.wall_sums, slots * decoder_->wall_sums_bytes())};
+  return read_ledger(scene_, image_.near, frame(), bytes, *decoder_, pending);
 }
 
-void DeviceRun::use_gravity_of_steps(std::int64_t first, std::int64_t last) {
-  if (options_.gravity != GravityKind::rotating) return;
-  world_.gravity_table =
-      workshop_->upload(gravity_table(scene_.gravity, scene_.run.step, first, last, options_.precision));
+void DeviceRun::use_tables_of_steps(std::int64_t first, std::int64_t last) {
   world_.table_origin = static_cast<cl_int>(first);
+  if (options_.gravity == GravityKind::rotating)
+    world_.gravity_table =
+        workshop_->upload(gravity_table(scene_.gravity, scene_.run.step, first, last, options_.precision));
+  if (image_.near.moving() > 0)
+    world_.stands = workshop_->upload(stand_table(image_.near, scene_, first, last, options_.precision));
 }
 
 void DeviceRun::check_signals(std::span<const cl_int, signal_count> signals) {

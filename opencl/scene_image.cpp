@@ -8,8 +8,8 @@
 
 #include "opencl/bytes.hpp"
 #include "opencl/coordinates.hpp"
-#include "opencl/near_walls.hpp"
 #include "opencl/pair_laws.hpp"
+#include "opencl/wall_image.hpp"
 
 namespace grainproof::opencl {
 namespace {
@@ -23,7 +23,8 @@ template <class P>
 class Imager {
  public:
   Imager(const Scene& scene, const ZoneGrid& grid, std::size_t work_group)
-      : scene_(scene), grid_(grid), coordinates_(scene.domain), near_(near_walls(scene)) {
+      : scene_(scene), grid_(grid), coordinates_(scene.domain) {
+    image_.near = near_walls(scene);
     image_.particles = scene.particles.size();
     image_.padded = (std::max<std::size_t>(image_.particles, 1) + work_group - 1) / work_group * work_group;
   }
@@ -47,7 +48,10 @@ class Imager {
                static_cast<Real>(drift / 2)}};
     c.limits.s[0] = static_cast<Real>(scene_.run.overlap_limit);
     c.counts = {{static_cast<cl_int>(image_.particles), static_cast<cl_int>(scene_.materials.size()),
-                 static_cast<cl_int>(near_.planes.size()), static_cast<cl_int>(near_.rectangles.size())}};
+                 static_cast<cl_int>(image_.near.planes.size()),
+                 static_cast<cl_int>(image_.near.rectangles.size())}};
+    c.walls = {{static_cast<cl_int>(image_.near.count()), static_cast<cl_int>(image_.near.cylinders.size()),
+                static_cast<cl_int>(image_.near.moving()), 0}};
     std::visit(Overloaded{[&](const ConstantGravity& g) { c.gravity = four_of<P>(g.acceleration); },
                           [](const RotatingGravity&) {},
                           [&](const CentralGravity& g) {
@@ -76,20 +80,23 @@ class Imager {
     law.viscosity = c.unlimited ? largest : static_cast<Real>(c.viscosity.constant);
     law.viscosity_root_mass = static_cast<Real>(c.viscosity.per_root_mass);
     law.cohesion = static_cast<Real>(c.cohesion);
+    law.rolling = static_cast<Real>(c.rolling);
+    law.rolls = static_cast<cl_int>(c.rolls);
     law.hertz = c.hertz;
     remember(law, c.history);
     return law;
   }
 
   static void remember(PairLaw<P>& law, const HistoryCoefficients& h) {
-    if (!(h.coefficient > 0.0)) return;
+    if (!h.present) return;
     law.sliding = static_cast<Real>(h.coefficient);
     law.spring = static_cast<Real>(h.stiffness);
     law.spring_damping = static_cast<Real>(h.damping.constant);
     law.spring_damping_root_mass = static_cast<Real>(h.damping.per_root_mass);
     law.history = remembers | (h.limit == CoulombLimit::spring ? limit_on_spring : 0) |
                   (h.arm == TorqueArm::overlap ? arm_shortened : 0) |
-                  (h.turn == SpringTurn::project ? turn_projects : 0);
+                  (h.turn == SpringTurn::project ? turn_projects : 0) |
+                  (law.hertz != 0 && h.memory == SpringMemory::force ? keeps_force : 0);
   }
 
   std::vector<PairLaw<P>> laws() const {
@@ -102,15 +109,14 @@ class Imager {
   }
 
   void add_walls() {
-    std::vector<PlaneOf<P>> planes;
-    for (const auto& wall : near_.planes)
-      planes.push_back({coordinates_.plane(wall.shape, scene_.domain), {{wall.material, wall.index, 0, 0}}});
-    std::vector<RectangleOf<P>> rectangles;
-    for (const auto& wall : near_.rectangles)
-      rectangles.push_back({coordinates_.rectangle(wall.shape), {{wall.material, wall.index, 0, 0}}});
-    image_.walls = planes.size() + rectangles.size();
-    image_.planes = bytes_of(planes);
-    image_.rectangles = bytes_of(rectangles);
+    WallBytes walls = wall_bytes(image_.near, scene_, precision_of());
+    image_.planes = std::move(walls.planes);
+    image_.rectangles = std::move(walls.rectangles);
+    image_.cylinders = std::move(walls.cylinders);
+  }
+
+  static constexpr Precision precision_of() {
+    return std::is_same_v<P, Single> ? Precision::single_precision : Precision::double_precision;
   }
 
   /// Padding counts as fixed and is never listed, so kernels need no test for it.
@@ -146,20 +152,22 @@ class Imager {
       spins[i] = four_of<P>(p.angular_velocity, p.fixed ? 0.0 : 1.0 / inertia_of(p, scene_));
     }
     image_.spins = bytes_of(spins);
+    image_.as_drawn = bytes_of(std::vector{four_of<P>(Vec3::Zero(), 1.0)});
   }
 
   const Scene& scene_;
   const ZoneGrid& grid_;
   Coordinates<P> coordinates_;
-  NearWalls near_;
   SceneImage image_;
 };
 
 template <class P>
-std::array<int, 9> sizes_of() {
+std::array<int, 13> sizes_of() {
   return {sizeof(typename P::Position), sizeof(typename P::Reach), sizeof(typename P::Box),
           sizeof(Constants<P>),         sizeof(PairLaw<P>),        sizeof(PlaneOf<P>),
-          sizeof(RectangleOf<P>),       sizeof(Tally<P>),          sizeof(LedgerSums<P>)};
+          sizeof(RectangleOf<P>),       sizeof(Tally<P>),          sizeof(LedgerSums<P>),
+          sizeof(CylinderOf<P>),        sizeof(Stand<P>),          sizeof(WallTally<P>),
+          sizeof(WallSums<P>)};
 }
 
 template <class P>
@@ -207,7 +215,7 @@ Bytes gravity_table(const Gravity& gravity, double step, std::int64_t first, std
   return table_of<Double>(g, step, first, last);
 }
 
-std::array<int, 9> shared_sizes(Precision precision) {
+std::array<int, 13> shared_sizes(Precision precision) {
   return precision == Precision::single_precision ? sizes_of<Single>() : sizes_of<Double>();
 }
 

@@ -30,10 +30,11 @@ class SmallRun : public DeviceRun {
   /// Frames that the device writes down during the launches of one record().
   struct Samples {
     std::vector<cl_int> steps;
-    cl::Buffer steps_on_device, positions, velocities, spins;
+    cl::Buffer steps_on_device, positions, velocities, spins, orientations;
   };
 
   Samples make_samples(std::span<const std::int64_t> steps);
+  void remember_pairs();
   void record_some(std::span<const std::int64_t> steps, std::vector<Frame>& frames);
 
   Samples none_;

@@ -7,12 +7,27 @@
 #include "opencl/bytes.hpp"
 
 namespace grainproof::opencl {
+namespace {
+
+Bytes repeated(const Bytes& bytes, std::size_t times) {
+  Bytes all;
+  all.reserve(bytes.size() * times);
+  for (std::size_t k = 0; k < times; ++k) all.insert(all.end(), bytes.begin(), bytes.end());
+  return all;
+}
+
+}  // namespace
 
 World make_world(Workshop& workshop, const SceneImage& image, const Decoder& decoder,
                  const BuildOptions& options) {
   const std::size_t turning = options.rotation ? image.padded : 1;
   const std::size_t remembering = options.history ? image.padded : 1;
   const std::size_t booked = options.ledger ? image.padded : 1;
+  const std::size_t booked_walls =
+      options.ledger ? std::max<std::size_t>(image.padded * image.near.count(), 1) : 1;
+  const auto memories = [&](std::size_t count) {
+    return Bytes(std::max<std::size_t>(count, 1) * memory_bytes(options, decoder));
+  };
   const auto vectors = [&](std::size_t count) { return Bytes(count * decoder.vector_bytes()); };
   World w;
   w.box = workshop.upload(image.box);
@@ -20,10 +35,12 @@ World make_world(Workshop& workshop, const SceneImage& image, const Decoder& dec
   w.laws = workshop.upload(image.laws);
   w.planes = workshop.upload(image.planes);
   w.rectangles = workshop.upload(image.rectangles);
+  w.cylinders = workshop.upload(image.cylinders);
   w.materials = workshop.upload(image.materials);
   w.reaches = workshop.upload(image.reaches);
   w.drag_rates = workshop.upload(image.drag_rates);
   w.gravity_table = workshop.upload(vectors(1));
+  w.stands = workshop.upload(vectors(1));
   w.positions = workshop.upload(image.positions);
   w.velocities = workshop.upload(image.velocities);
   w.rests = workshop.upload(vectors(image.padded));
@@ -37,8 +54,13 @@ World make_world(Workshop& workshop, const SceneImage& image, const Decoder& dec
   w.spin_rests = workshop.upload(vectors(turning));
   w.angular_accelerations = workshop.upload(vectors(turning));
   w.reported_spins = workshop.upload(spins);
-  w.springs = workshop.upload(vectors(options.small ? remembering * remembering : 1));
-  w.wall_springs = workshop.upload(vectors(std::max<std::size_t>(remembering * image.walls, 1)));
+  w.wall_tallies = workshop.upload(Bytes(booked_walls * decoder.wall_tally_bytes()));
+  w.wall_sums = workshop.upload(Bytes(booked_walls * decoder.wall_sums_bytes()));
+  const std::size_t lying = options.orientation != OrientationUpdate::none ? image.padded : 1;
+  w.orientations = workshop.upload(repeated(image.as_drawn, lying));
+  w.orientation_rests = workshop.upload(vectors(lying));
+  w.springs = workshop.upload(memories(options.small ? remembering * remembering : 1));
+  w.wall_springs = workshop.upload(memories(remembering * image.near.count()));
   w.faults = workshop.upload(bytes_of(std::vector<cl_int4>(image.padded, cl_int4{{never, 0, 0, 0}})));
   w.signals = workshop.upload(bytes_of(std::vector<cl_int>{never, never, never, 0}));
   return w;

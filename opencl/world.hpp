@@ -10,18 +10,26 @@ namespace grainproof::opencl {
 
 /// The buffers behind WORLD_PARAMETERS of kernels/world.cl.
 struct World {
-  cl::Buffer box, constants, laws, planes, rectangles, materials, reaches, drag_rates, gravity_table;
+  cl::Buffer box, constants, laws, planes, rectangles, cylinders, materials, reaches, drag_rates;
+  cl::Buffer gravity_table, stands;
   cl::Buffer positions, velocities, rests, accelerations, reported, tallies, sums, faults, signals;
-  cl::Buffer spins, spin_rests, angular_accelerations, reported_spins, springs, wall_springs;
+  cl::Buffer wall_tallies, wall_sums;
+  cl::Buffer spins, spin_rests, angular_accelerations, reported_spins, orientations, orientation_rests;
+  cl::Buffer springs, wall_springs;
   cl_int table_origin = 0;
 
   auto arguments() const {
-    return std::tie(box, constants, laws, planes, rectangles, materials, reaches, drag_rates, gravity_table,
-                    positions, velocities, rests, accelerations, reported, tallies, sums, spins, spin_rests,
-                    angular_accelerations, reported_spins, springs, wall_springs, faults, signals,
-                    table_origin);
+    return std::tie(box, constants, laws, planes, rectangles, cylinders, materials, reaches, drag_rates,
+                    gravity_table, stands, positions, velocities, rests, accelerations, reported, tallies,
+                    sums, wall_tallies, wall_sums, spins, spin_rests, angular_accelerations, reported_spins,
+                    orientations, orientation_rests, springs, wall_springs, faults, signals, table_origin);
   }
 };
+
+/// Bytes that one contact's memory takes.
+inline std::size_t memory_bytes(const BuildOptions& options, const Decoder& decoder) {
+  return (options.rolling_spring ? 2 : 1) * decoder.vector_bytes();
+}
 
 /// Uploads a scene. What the options leave out holds one entry that nothing reads. The springs of a list are
 /// the list's own.

@@ -17,7 +17,8 @@ constexpr std::int64_t shortest_batch = 4;
 ZonedRun::ZonedRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const BuildOptions& options,
                    const ZoneGrid& grid, std::size_t work_group)
     : DeviceRun(std::move(workshop), scene, options, grid, work_group),
-      list_(*workshop_, program_, image_, *decoder_, grid, work_group, options.history) {}
+      list_(*workshop_, program_, image_, *decoder_, grid, work_group,
+            options.history ? memory_bytes(options, *decoder_) : 0) {}
 
 void ZonedRun::take_steps(std::int64_t steps) {
   const std::int64_t target = done() + steps;
@@ -40,17 +41,18 @@ void ZonedRun::settle() {
 
 void ZonedRun::build_list(std::int64_t at_step) {
   list_.build(world_);
+  if (at_step == 0 && !scene_.remembered.empty()) remember_pairs();
   if (options_.history) world_.springs = list_.springs();
   ++counters_.list_rebuilds;
   counters_.listed_pairs = list_.entries() / 2;
   built_at_ = at_step;
-  use_gravity_of_steps(at_step, at_step);
+  use_tables_of_steps(at_step, at_step);
   launch_in_world(*workshop_, program_, "resolve", particles_, world_, list_.starts(), list_.partners(),
                   static_cast<cl_int>(at_step));
 }
 
 void ZonedRun::enqueue(std::int64_t first, std::int64_t last) {
-  use_gravity_of_steps(first, last);
+  use_tables_of_steps(first, last);
   for (std::int64_t n = first; n <= last; ++n) {
     const auto step = static_cast<cl_int>(n);
     launch_in_world(*workshop_, program_, "move", particles_, world_, list_.built_at(), step);
@@ -80,7 +82,7 @@ std::vector<ContactMemory> ZonedRun::pair_memories() {
   const auto entries = static_cast<std::size_t>(list_.entries());
   if (entries == 0) return found;
   std::vector<cl_int> starts(image_.padded + 1), partners(entries);
-  Bytes springs(entries * decoder_->vector_bytes());
+  Bytes springs(entries * memory_bytes(options_, *decoder_));
   workshop_->read(list_.starts(), std::as_writable_bytes(std::span(starts)));
   workshop_->read(list_.partners(), std::as_writable_bytes(std::span(partners)));
   workshop_->read(list_.springs(), springs);
@@ -88,6 +90,21 @@ std::vector<ContactMemory> ZonedRun::pair_memories() {
     for (auto k = static_cast<std::size_t>(starts[i]); k < static_cast<std::size_t>(starts[i + 1]); ++k)
       append_memory(found, i, static_cast<std::size_t>(partners[k]), springs, k);
   return found;
+}
+
+void ZonedRun::remember_pairs() {
+  const auto entries = static_cast<std::size_t>(list_.entries());
+  if (entries == 0) return;
+  std::vector<cl_int> starts(image_.padded + 1), partners(entries);
+  workshop_->read(list_.starts(), std::as_writable_bytes(std::span(starts)));
+  workshop_->read(list_.partners(), std::as_writable_bytes(std::span(partners)));
+  const auto slot_of = [&](std::size_t i, std::size_t j) -> std::optional<std::size_t> {
+    const auto from = partners.begin() + starts[i], to = partners.begin() + starts[i + 1];
+    const auto found = std::lower_bound(from, to, static_cast<cl_int>(j));
+    if (found == to || *found != static_cast<cl_int>(j)) return std::nullopt;
+    return static_cast<std::size_t>(found - partners.begin());
+  };
+  workshop_->write(list_.springs(), remembered_pairs(entries, slot_of));
 }
 
 /// Up to where the list is expected to go stale, and a little beyond; a list that outlives that is trusted

@@ -24,6 +24,7 @@ class ZonedRun : public DeviceRun {
 
  private:
   void build_list(std::int64_t at_step);
+  void remember_pairs();
   void enqueue(std::int64_t first, std::int64_t last);
   void catch_up();
   std::int64_t next_batch() const;

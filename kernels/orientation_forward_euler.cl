@@ -1,0 +1,4 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// docs/laws/rotation.md: q ← q + ½ Δt ω q, whose length grows (E14).
+INLINE real4 change_of(real4 q, real3 turn) { return half_turned(q, turn); }

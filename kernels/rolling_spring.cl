@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// docs/laws/rolling.md, elastic-plastic spring: wound by the rolling of the bodies over each other, up to a limit. The
+// second word of a contact's memory is its torque on the body that the memory belongs to.
+#define MEMORY_WORDS 2
+
+// LIGGGHTS winds the spring of a wall faster, where it has the arm shortened.
+INLINE real3 winding_on_wall(real3 spin, real radius, real overlap, PairLaw law) {
+  if (law.rolls != ROLLS_SPRING || !(law.history & ARM_SHORTENED)) return spin;
+  return spin * ((radius - (real)0.5 * overlap) / (radius - overlap));
+}
+
+INLINE real3 spring_torque(Rolling r, PairLaw law, Account* account) {
+  if (law.rolls != ROLLS_SPRING) return (real3)(0);
+  const real stiffness = r.stiffness * r.radius * r.radius;
+  const real about_normal = r.spin.x * r.normal.x + r.spin.y * r.normal.y + r.spin.z * r.normal.z;
+  real3 torque = r.memory[1].xyz - (r.spin - about_normal * r.normal) * (stiffness * r.duration);
+  const real held = square_root(torque.x * torque.x + torque.y * torque.y + torque.z * torque.z);
+  const real most = law.rolling * r.radius * magnitude(r.pressing);
+  if (held > most) torque *= most / held;
+  r.memory[1] = (real4)(torque, 0);
+  const real kept = lesser_of(held, most);
+  enter_wound(account, r.share, (real)0.5 * kept * kept / stiffness);
+  return torque;
+}

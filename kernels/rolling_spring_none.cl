@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#define MEMORY_WORDS 1
+
+INLINE real3 winding_on_wall(real3 spin, real radius, real overlap, PairLaw law) { return spin; }
+INLINE real3 spring_torque(Rolling r, PairLaw law, Account* account) { return (real3)(0); }
