@@ -68,7 +68,11 @@ Solution drum(const Scene& scene, double until) {
     if (scene.rotation) frame.angular_velocity.push_back(time * turning);
     return frame;
   };
-  solution.scalars["resting_overlap"] = rest;
+  const double friction = mass * mu * push, arm = wall.radius;  // it acts where the surface is
+  solution.scalars = {{"resting_overlap", rest},
+                      {"wall_impulse:0", mass * gravity.norm() * until},
+                      {"wall_angular_impulse:0", friction * arm * until},
+                      {"wall_work", friction * arm * std::abs(rate) * until}};
   return solution;
 }
 

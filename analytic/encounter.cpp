@@ -40,9 +40,17 @@ struct Face {
   Vec3 normal;
 };
 
+Face face_of_cylinder(const Cylinder& cylinder, const Vec3& point) {
+  const Vec3 from_point = point - cylinder.point;
+  const Vec3 off_axis = from_point - from_point.dot(cylinder.axis) * cylinder.axis;
+  const double inward = cylinder.side == Cylinder::Side::inside ? 1.0 : -1.0;
+  return {inward * (cylinder.radius - off_axis.norm()), -inward * off_axis.normalized()};
+}
+
 Face face_of(const WallShape& shape, const Vec3& point) {
   if (const auto* plane = std::get_if<Plane>(&shape))
     return {(point - plane->point).dot(plane->normal), plane->normal};
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return face_of_cylinder(*cylinder, point);
   const auto& rectangle = std::get<Rectangle>(shape);
   const Vec3 extent = rectangle.upper - rectangle.lower;
   Eigen::Index axis = 0;
@@ -57,7 +65,6 @@ Recognised with_wall(const Scene& scene, const Vec3& gravity) {
   if (sphere.fixed) return no("nothing moves");
   if (!scene.contacts.has(sphere.material, wall.material))
     return no("the sphere and the wall have no contact laws");
-  if (std::holds_alternative<Cylinder>(wall.shape)) return no("the wall is a cylinder");
   const auto velocity = wall_velocity(wall);
   if (!velocity) return no("the wall vibrates or turns");
   Encounter e;
@@ -72,6 +79,8 @@ Recognised with_wall(const Scene& scene, const Vec3& gravity) {
   e.centre_velocity = *velocity;
   set_relative_motion(e, sphere.velocity - *velocity, gravity, face.distance,
                       0.5 * (sphere.effect_diameter - sphere.diameter));
+  if (std::holds_alternative<Cylinder>(wall.shape) && !head_on(e))
+    return no("the wall is a cylinder, and the sphere does not move straight towards it or away from it");
   if (!over_wall(e, Vec3::Zero())) return no("the sphere does not stand over the wall's face");
   return {{}, e};
 }

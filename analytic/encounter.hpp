@@ -41,8 +41,9 @@ struct Recognised {
   Encounter encounter;
 };
 
-/// One free sphere and one wall that moves evenly or not at all, or two spheres of which at least one is
-/// free; no flow, constant gravity. Any laws but those of rolling, spinning or not.
+/// One free sphere and one wall that moves evenly or not at all (a cylinder only along its radius), or two
+/// spheres of which at least one is free; no flow, constant gravity. Any laws but those of rolling, spinning
+/// or not.
 Recognised recognise_bodies(const Scene& scene);
 
 /// The same with laws of rolling.

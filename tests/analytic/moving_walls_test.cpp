@@ -136,15 +136,32 @@ TEST(Drum, IsRefusedOnTheOtherSideAndOnceItsSurfaceIsAsFast) {
   EXPECT_NE(why("drum", scene).find("as fast"), std::string::npos);
 }
 
-TEST(OtherForms, SayNoToWallsThatTurnOrVibrateAndToCylinders) {
+/// Along a radius a cylinder is a plane.
+TEST(Cylinder, IsAPlaneToASphereThatMovesAlongItsRadius) {
+  const Scene plane = floor_scene(Frictionless{}, 1e-3, {0, 0, -1});
+  for (const auto side : {Cylinder::Side::inside, Cylinder::Side::outside}) {
+    Scene round = plane;
+    const double centre = side == Cylinder::Side::inside ? 0.3 : -0.3;
+    round.walls[0].shape = Cylinder{{0, 0.7, centre}, Vec3::UnitY(), 0.3, side};
+    const Observations a = seen_by("normal_collision", plane), b = seen_by("normal_collision", round);
+    for (std::size_t n = 0; n < a.frames.size(); ++n) {
+      EXPECT_LE((a.frames[n].position[0] - b.frames[n].position[0]).norm(), 1e-15);
+      EXPECT_LE((a.frames[n].velocity[0] - b.frames[n].velocity[0]).norm(), 1e-12);
+    }
+    round.particles[0].velocity.x() = 0.1;
+    EXPECT_NE(why("normal_collision", round).find("straight towards"), std::string::npos);
+  }
+}
+
+TEST(OtherForms, SayNoToWallsThatTurnOrVibrateAndToCentresInTheSolid) {
   Scene scene = floor_scene(Frictionless{}, 1e-3, {0, 0, -1});
   scene.walls[0].motion = Vibrating{{0, 0, 1e-3}, 10.0, 0.0};
   EXPECT_NE(why("normal_collision", scene).find("vibrates"), std::string::npos);
   scene.walls[0].motion = Rotating{1.0};
   EXPECT_NE(why("normal_collision", scene).find("turns"), std::string::npos);
   EXPECT_NE(why("free_fall", scene).find("might meet"), std::string::npos);
-  scene.walls[0] = {"drum", 0, Cylinder{Vec3::Zero(), Vec3::UnitX(), 0.3, Cylinder::Side::inside}, Still{}};
-  EXPECT_NE(why("normal_collision", scene).find("cylinder"), std::string::npos);
+  scene.walls[0] = {"drum", 0, Cylinder{Vec3::Zero(), Vec3::UnitX(), 0.3, Cylinder::Side::outside}, Still{}};
+  EXPECT_NE(why("normal_collision", scene).find("not in front"), std::string::npos);
 }
 
 TEST(FreeFall, PassesACylinderThatItStaysClearOf) {
