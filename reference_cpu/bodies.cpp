@@ -27,7 +27,7 @@ void append(Bodies& bodies, const Particle& particle, double density, bool cohes
   bodies.mass.push_back(mass);
   bodies.reach.push_back(reach_of(particle, cohesion));
   bodies.material.push_back(particle.material);
-  bodies.id.push_back(particle.id);
+  bodies.origin.push_back(static_cast<std::int32_t>(bodies.origin.size()));
 }
 
 // A sphere's inertia is 2/5 m r².
@@ -38,6 +38,21 @@ void append_spin(Bodies& bodies, const Particle& particle) {
 }
 
 }  // namespace
+
+void reorder(Bodies& bodies, const std::vector<std::int32_t>& order) {
+  const auto reordered = [&](auto& values) {
+    const auto before = values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = before[order[i]];
+  };
+  reordered(bodies.body);
+  reordered(bodies.spin);
+  reordered(bodies.orientation);
+  reordered(bodies.mass);
+  reordered(bodies.reach);
+  reordered(bodies.drag_rate);
+  reordered(bodies.material);
+  reordered(bodies.origin);
+}
 
 bool has_cohesion(const Scene& scene) {
   const std::size_t materials = scene.contacts.materials();

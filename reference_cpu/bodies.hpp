@@ -24,7 +24,7 @@ struct alignas(32) Spin {
   double inverse_inertia;  ///< 1/(kg m²); zero for a fixed particle
 };
 
-/// All particles, in id order. Every array has the same length, those of turning none without it.
+/// All particles. Every array has the same length, those of turning none without it.
 struct Bodies {
   std::vector<Body> body;
   std::vector<Spin> spin;
@@ -35,11 +35,22 @@ struct Bodies {
   std::vector<double> reach;               ///< m; effect radius where the scene has cohesion, else radius
   std::vector<double> drag_rate;           ///< 1/s, the inverse of the response time; empty without flow
   std::vector<std::int32_t> material;
-  std::vector<std::int64_t> id;
+  std::vector<std::int32_t> origin;  ///< index in the scene, and so in order of ids
 
   std::size_t size() const { return body.size(); }
   bool turning() const { return !spin.empty(); }
 };
+
+/// The body `order[i]` becomes the body i. Accelerations are not kept.
+void reorder(Bodies& bodies, const std::vector<std::int32_t>& order);
+
+/// Values of all bodies in the order of the scene.
+template <class Value>
+std::vector<Value> in_scene_order(const Bodies& bodies, const std::vector<Value>& values) {
+  std::vector<Value> sorted(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) sorted[bodies.origin[i]] = values[i];
+  return sorted;
+}
 
 /// Turns faster for `duration` (s); nothing where nothing turns.
 inline void kick_spins(Bodies& bodies, double duration) {

@@ -41,9 +41,55 @@ inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& poin
   return {normal, laws.friction.force(slip, normal, eta, root_mass)};
 }
 
-/// Of any laws. The tangential spring is stretched for `elapsed` (s) and brought up to date.
-ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, double elapsed,
-                           ContactSprings& springs);
+/// Springs and dashpots as they are at one overlap.
+struct ContactResponse {
+  double push;     ///< N
+  double damping;  ///< η, N s/m
+  ShearResponse shear;
+};
+
+/// Radius of the contact circle of a Hertz contact.
+inline double contact_circle(const ContactPoint& point) {
+  return std::sqrt(point.effective_radius * point.overlap);
+}
+
+ContactResponse hertz_response(const PairLaws& laws, const ContactPoint& point, double root_mass);
+
+inline ContactResponse response(const PairLaws& laws, const ContactPoint& point, double root_mass) {
+  if (laws.hertz.present()) return hertz_response(laws, point, root_mass);
+  const double eta = laws.normal.damping_for(root_mass);
+  return {
+      laws.normal.stiffness * point.overlap, eta, {laws.spring.stiffness, laws.spring.damping_ratio * eta}};
+}
+
+/// k_t of before over k_t of now, while k_t grows (docs/laws/history.md).
+double kept_share(const PairLaws& laws, const ContactPoint& point, const ContactSprings& springs);
+
+/// Of the tangential spring, which is turned, stretched for `elapsed` (s) and cut back.
+inline Vec3 spring_friction(const PairLaws& laws, const ContactPoint& point, const Vec3& slip, double normal,
+                            const ShearResponse& shear, double elapsed, ContactSprings& springs) {
+  if (laws.spring.keeps_force) {
+    springs.displacement *= kept_share(laws, point, springs);
+    springs.overlap = point.overlap;
+  }
+  springs.displacement = laws.spring.turned(springs.displacement, point.normal) + slip * elapsed;
+  return laws.spring.force(springs.displacement, slip, normal, shear);
+}
+
+/// Of any laws. The tangential spring is brought up to date.
+inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, double elapsed,
+                                  ContactSprings& springs) {
+  const double root_mass = std::sqrt(point.effective_mass);
+  const ContactResponse now = response(laws, point, root_mass);
+  const double separating = point.relative_velocity.dot(point.normal);
+  double normal = now.push - now.damping * separating;
+  if (laws.normal.no_tension) normal = std::max(normal, 0.0);
+  const Vec3 slip = point.relative_velocity - separating * point.normal;
+  if (laws.spring.present())
+    return {normal, spring_friction(laws, point, slip, normal, now.shear, elapsed, springs)};
+  if (laws.friction.coefficient == 0.0) return {normal, Vec3::Zero()};
+  return {normal, laws.friction.force(slip, normal, now.damping, root_mass)};
+}
 
 /// Rolling resistance on body 2, N m. `spin` is that of body 2 over body 1, rad/s. Its spring is wound for
 /// `elapsed` (s) and brought up to date.

@@ -46,6 +46,10 @@ class ContactHistory {
     now_.push_back({first, second, springs});
   }
 
+  /// Particle i becomes `place[i]`. What is displaced one way from the first to the second is displaced the
+  /// other way from the second to the first.
+  void renumber(const std::vector<std::int32_t>& place);
+
   const std::vector<Memory>& memories() const { return now_; }
 
  private:

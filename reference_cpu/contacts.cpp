@@ -10,9 +10,11 @@
 namespace grainproof::reference {
 namespace {
 
+// Flattened: what a contact is told and tells would otherwise go through memory, a quarter of the time of a
+// step with history.
 template <bool periodic, class Touch, class Log>
-void add_pair_forces(const ContactSetting& setting, const PairList& pairs, Bodies& bodies, Watch& watch,
-                     Touch touch, Log& log) {
+[[gnu::flatten]] void add_pair_forces(const ContactSetting& setting, const PairList& pairs, Bodies& bodies,
+                                      Watch& watch, Touch touch, Log& log) {
   const auto count = static_cast<std::int32_t>(bodies.size());
   for (std::int32_t i = 0; i < count; ++i) {
     const Body& one = bodies.body[i];

@@ -27,13 +27,24 @@ ContactHistory::Memory by_index(const Scene& scene, const ContactMemory& memory)
           {springs.displacement, -springs.rolling_torque, springs.overlap}};
 }
 
-ContactMemory by_id(const ContactHistory::Memory& memory, const Bodies& bodies) {
-  const std::int64_t second = bodies.id[memory.second];
+ContactMemory by_id(const Scene& scene, const ContactHistory::Memory& memory, const Bodies& bodies) {
+  const auto id = [&](std::int32_t body) { return scene.particles[bodies.origin[body]].id; };
   const auto& [displacement, torque, overlap] = memory.springs;
   const auto particles = static_cast<std::int32_t>(bodies.size());
   if (memory.first >= particles)
-    return {second, particles - 1 - memory.first, 0, displacement, overlap, torque};
-  return {bodies.id[memory.first], second, 0, displacement, overlap, Vec3::Zero() - torque};
+    return {id(memory.second), particles - 1 - memory.first, 0, displacement, overlap, torque};
+  if (id(memory.first) < id(memory.second))
+    return {id(memory.first), id(memory.second), 0, displacement, overlap, Vec3::Zero() - torque};
+  return {id(memory.second), id(memory.first), 0, Vec3::Zero() - displacement, overlap, torque};
+}
+
+/// Pairs by rising ids; after them wall by wall, by rising ids.
+bool precedes(const ContactMemory& a, const ContactMemory& b) {
+  const auto key = [](const ContactMemory& memory) {
+    return memory.second < 0 ? std::tuple(true, -memory.second, memory.first)
+                             : std::tuple(false, memory.first, memory.second);
+  };
+  return key(a) < key(b);
 }
 
 }  // namespace
@@ -45,9 +56,12 @@ std::vector<ContactHistory::Memory> memories_of(const Scene& scene) {
   return memories;
 }
 
-std::vector<ContactMemory> memories_by_id(const ContactHistory& history, const Bodies& bodies) {
+std::vector<ContactMemory> memories_by_id(const Scene& scene, const ContactHistory& history,
+                                          const Bodies& bodies) {
   std::vector<ContactMemory> memories;
-  for (const ContactHistory::Memory& memory : history.memories()) memories.push_back(by_id(memory, bodies));
+  for (const ContactHistory::Memory& memory : history.memories())
+    memories.push_back(by_id(scene, memory, bodies));
+  std::ranges::sort(memories, precedes);
   return memories;
 }
 

@@ -13,7 +13,8 @@ namespace grainproof::reference {
 /// What the scene's contacts remember at the start.
 std::vector<ContactHistory::Memory> memories_of(const Scene& scene);
 
-/// By rising (first, second) of the engine: those of pairs, then those with walls.
-std::vector<ContactMemory> memories_by_id(const ContactHistory& history, const Bodies& bodies);
+/// Pairs by rising ids; after them wall by wall, by rising ids.
+std::vector<ContactMemory> memories_by_id(const Scene& scene, const ContactHistory& history,
+                                          const Bodies& bodies);
 
 }  // namespace grainproof::reference

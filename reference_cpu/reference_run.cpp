@@ -35,9 +35,11 @@ ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger)
       simple_(laws_.all_simple()),
       bodies_(inside_bodies(scene_, box_)),
       neighbours_(scene_, walls_, bodies_, box_),
+      space_order_(scene_),
       history_(memories_of(scene_)),
       watch_(scene_.run.overlap_limit) {
   if (with_ledger) ledger_.emplace(scene_);
+  find_neighbours();
   evaluate_forces(0.0);
 }
 
@@ -65,10 +67,16 @@ void ReferenceRun::take_step() {
   confine();
   raise_trouble();
   walls_.move_to(time());
-  neighbours_.update(bodies_);
+  find_neighbours();
   evaluate_forces(step);
   if (scheme_.settle) kick([&] { return scheme_.settle(bodies_, step); });
   raise_trouble();
+}
+
+void ReferenceRun::find_neighbours() {
+  if (!neighbours_.outdated(bodies_)) return;
+  space_order_.before_list(neighbours_, bodies_, history_);
+  neighbours_.list(bodies_);
 }
 
 // Comparisons are false for NaN, so one test finds what has left and what is no number any more.
@@ -104,35 +112,41 @@ void ReferenceRun::check_velocities() {
 }
 
 void ReferenceRun::raise_trouble() const {
-  if (watch_.trouble()) throw in_words(*watch_.trouble(), scene_, step_, watch_.overlap_limit());
+  if (!watch_.trouble()) return;
+  Trouble trouble = *watch_.trouble();
+  trouble.particle = bodies_.origin[trouble.particle];
+  if (trouble.kind == Trouble::Kind::pair_too_deep) trouble.partner = bodies_.origin[trouble.partner];
+  throw in_words(trouble, scene_, step_, watch_.overlap_limit());
+}
+
+std::vector<Vec3> ReferenceRun::positions() const {
+  std::vector<Vec3> positions(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) positions[bodies_.origin[i]] = bodies_.body[i].position;
+  return positions;
 }
 
 Frame ReferenceRun::frame() {
-  Frame frame;
-  frame.step = step_;
-  frame.time = time();
-  const double pending = velocity_lag() * scene_.run.step;
-  for (const Body& body : bodies_.body) frame.position.push_back(body.position);
-  Motion synchronised = motion_after(bodies_, pending);
-  frame.velocity = std::move(synchronised.velocity);
-  frame.angular_velocity = std::move(synchronised.angular_velocity);
-  frame.orientation = bodies_.orientation;
-  return frame;
+  const Motion synchronised = motion_after(bodies_, velocity_lag() * scene_.run.step);
+  return {.step = step_,
+          .time = time(),
+          .position = positions(),
+          .velocity = in_scene_order(bodies_, synchronised.velocity),
+          .angular_velocity = in_scene_order(bodies_, synchronised.angular_velocity),
+          .orientation = in_scene_order(bodies_, bodies_.orientation)};
 }
 
 State ReferenceRun::state() {
-  State state;
-  state.step = step_;
-  state.time = time();
-  state.ids = bodies_.id;
-  state.velocity_lag = velocity_lag();
-  for (const Body& body : bodies_.body) {
-    state.position.push_back(body.position);
-    state.velocity.push_back(body.velocity);
-  }
-  for (const Spin& spin : bodies_.spin) state.angular_velocity.push_back(spin.angular_velocity);
-  state.orientation = bodies_.orientation;
-  state.contacts = memories_by_id(history_, bodies_);
+  const Motion held = motion_after(bodies_, 0.0);
+  State state{.step = step_,
+              .time = time(),
+              .ids = {},
+              .position = positions(),
+              .velocity = in_scene_order(bodies_, held.velocity),
+              .angular_velocity = in_scene_order(bodies_, held.angular_velocity),
+              .orientation = in_scene_order(bodies_, bodies_.orientation),
+              .velocity_lag = velocity_lag(),
+              .contacts = memories_by_id(scene_, history_, bodies_)};
+  for (const Particle& particle : scene_.particles) state.ids.push_back(particle.id);
   return state;
 }
 

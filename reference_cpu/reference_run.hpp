@@ -7,6 +7,7 @@
 #include "reference_cpu/contacts.hpp"
 #include "reference_cpu/integrators/scheme.hpp"
 #include "reference_cpu/ledger_keeper.hpp"
+#include "reference_cpu/space_order.hpp"
 
 namespace grainproof::reference {
 
@@ -29,10 +30,12 @@ class ReferenceRun : public Run {
   template <class Kick>
   void kick(Kick apply);
   void confine();
+  void find_neighbours();
   /// Contacts that already were have lasted `elapsed` (s) longer than at the evaluation before.
   void evaluate_forces(double elapsed);
   void check_velocities();
   void raise_trouble() const;
+  std::vector<Vec3> positions() const;
   double time() const { return static_cast<double>(step_) * scene_.run.step; }
   /// By how many steps the held velocities are behind; none before the first step.
   double velocity_lag() const { return step_ == 0 ? 0.0 : scheme_.velocity_lag; }
@@ -46,6 +49,7 @@ class ReferenceRun : public Run {
   const bool simple_;
   Bodies bodies_;
   Neighbours neighbours_;
+  SpaceOrder space_order_;
   ContactHistory history_;
   Watch watch_;
   std::optional<LedgerKeeper> ledger_;

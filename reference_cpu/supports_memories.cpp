@@ -12,8 +12,8 @@ namespace grainproof::reference {
 namespace {
 
 const Particle* particle_with(const Scene& scene, std::int64_t id) {
-  const auto found = std::ranges::find(scene.particles, id, &Particle::id);
-  return found == scene.particles.end() ? nullptr : &*found;
+  const auto found = std::ranges::lower_bound(scene.particles, id, {}, &Particle::id);
+  return found == scene.particles.end() || found->id != id ? nullptr : &*found;
 }
 
 /// Who a memory is about.

@@ -39,13 +39,14 @@ Meeting meeting(const Trouble& trouble, const Scene& scene) {
   std::ostringstream who;
   if (trouble.kind == Trouble::Kind::wall_too_deep) {
     const Wall& wall = scene.walls[trouble.partner];
-    who << "particle " << bodies.id[trouble.particle] << " overlaps the wall '" << wall.name << "'";
+    who << "particle " << scene.particles[trouble.particle].id << " overlaps the wall '" << wall.name << "'";
     return {
         who.str(), one.radius,
         contact_time(scene, wall.material, material, {1.0 / one.inverse_mass, one.radius}, trouble.overlap)};
   }
   const Body& two = bodies.body[trouble.partner];
-  who << "particles " << bodies.id[trouble.particle] << " and " << bodies.id[trouble.partner] << " overlap";
+  who << "particles " << scene.particles[trouble.particle].id << " and "
+      << scene.particles[trouble.partner].id << " overlap";
   const Reduced pair{1.0 / (one.inverse_mass + two.inverse_mass),
                      one.radius * two.radius / (one.radius + two.radius)};
   return {who.str(), std::min(one.radius, two.radius),

@@ -36,7 +36,7 @@ class Watch {
   std::optional<Trouble> trouble_;
 };
 
-/// Cause, particles, numbers and the likely reason, for people.
+/// Cause, particles, numbers and the likely reason, for people. The particles are the scene's.
 RunWentWrong in_words(const Trouble& trouble, const Scene& scene, std::int64_t step, double overlap_limit);
 
 }  // namespace grainproof::reference

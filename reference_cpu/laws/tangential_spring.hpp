@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
+
 #include "model/laws.hpp"
 #include "model/vec3.hpp"
 
@@ -24,10 +26,42 @@ struct TangentialSpring {
   bool present() const { return coefficient != 0.0; }
 
   /// ζ laid into the tangent plane as it is now.
-  Vec3 turned(const Vec3& displacement, const Vec3& normal) const;
+  Vec3 turned(const Vec3& displacement, const Vec3& normal) const {
+    Vec3 in_plane = displacement - displacement.dot(normal) * normal;
+    if (turn == SpringTurn::project) return in_plane;
+    const double length = in_plane.norm();
+    if (length > 0.0) in_plane *= displacement.norm() / length;
+    return in_plane;
+  }
 
   /// On body 2. Cuts ζ back where the contact slides.
-  Vec3 force(Vec3& displacement, const Vec3& slip, double normal_force, const ShearResponse& shear) const;
+  Vec3 force(Vec3& displacement, const Vec3& slip, double normal_force, const ShearResponse& shear) const {
+    const double most = coefficient * std::abs(normal_force);
+    return limit == CoulombLimit::spring ? limited_spring(displacement, slip, most, shear)
+                                         : limited_sum(displacement, slip, most, shear);
+  }
+
+ private:
+  /// The limit is on the spring; while it slides there is no dashpot.
+  static Vec3 limited_spring(Vec3& displacement, const Vec3& slip, double most, const ShearResponse& shear) {
+    const Vec3 pull = shear.stiffness * displacement;
+    const double square = pull.squaredNorm();
+    if (square <= most * most) return -pull - shear.damping * slip;
+    const double share = most / std::sqrt(square);
+    displacement *= share;
+    return -pull * share;
+  }
+
+  /// The limit is on both together, and ζ is what makes them add up to it.
+  static Vec3 limited_sum(Vec3& displacement, const Vec3& slip, double most, const ShearResponse& shear) {
+    const Vec3 dashpot = shear.damping * slip;
+    const Vec3 sum = shear.stiffness * displacement + dashpot;
+    const double square = sum.squaredNorm();
+    if (square <= most * most) return -sum;
+    const Vec3 cut = sum * (most / std::sqrt(square));
+    displacement = (cut - dashpot) / shear.stiffness;
+    return -cut;
+  }
 };
 
 TangentialSpring tangential_spring(const FrictionLaw& law);

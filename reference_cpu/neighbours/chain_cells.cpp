@@ -94,6 +94,17 @@ void ChainCells::fill(const CellGrid& grid, const Bodies& bodies) {
   }
 }
 
+std::vector<std::int32_t> ChainCells::order() const {
+  std::vector<std::int32_t> particles;
+  particles.reserve(next_.size());
+  for (const std::int32_t head : head_) {
+    const auto begin = static_cast<std::ptrdiff_t>(particles.size());
+    for (std::int32_t i = head; i >= 0; i = next_[i]) particles.push_back(i);
+    std::reverse(particles.begin() + begin, particles.end());
+  }
+  return particles;
+}
+
 void ChainCells::pair_with_chain(const Bodies& bodies, const PeriodicBox& box, double skin,
                                  std::int32_t particle, std::int32_t link) {
   for (; link >= 0; link = next_[link]) {

@@ -47,6 +47,9 @@ class ChainCells {
   std::int32_t next(std::int32_t particle) const { return next_[particle]; }
   std::int32_t cell(std::int32_t particle) const { return cell_[particle]; }
 
+  /// All particles cell by cell, rising within each.
+  std::vector<std::int32_t> order() const;
+
   /// Every close pair once: within a cell, and between a cell and its neighbours of higher index.
   void list_pairs(const Bodies& bodies, const PeriodicBox& box, double skin, PairList& list);
 

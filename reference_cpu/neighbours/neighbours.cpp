@@ -28,14 +28,7 @@ Neighbours::Neighbours(const Scene& scene, const Walls& walls, const Bodies& bod
       box_(box),
       largest_reach_(largest_reach(scene)),
       verlet_(skin_of(scene)),
-      near_walls_(walls.size()) {
-  if (way_ == Way::nothing_to_find) {
-    pairs_.assign(bodies.size(), {});
-    near_walls_.list(walls_, bodies, box_, std::numeric_limits<double>::infinity());
-  } else {
-    rebuild(bodies, way_ == Way::verlet_list ? verlet_.skin() : 0.0);
-  }
-}
+      near_walls_(walls.size()) {}
 
 Neighbours::Way Neighbours::way_for(const Scene& scene, const Bodies& bodies) {
   const bool all_fixed = std::ranges::all_of(bodies.body, &Body::fixed);
@@ -53,22 +46,39 @@ Neighbours::Way Neighbours::way_for(const Scene& scene, const Bodies& bodies) {
   return bodies.size() <= few_particles ? Way::all_pairs : Way::verlet_list;
 }
 
-void Neighbours::update(const Bodies& bodies) {
-  if (way_ == Way::nothing_to_find) return;
-  if (way_ == Way::verlet_list && !outdated(bodies)) return;
-  rebuild(bodies, way_ == Way::verlet_list ? verlet_.skin() : 0.0);
-  ++rebuilds_;
+bool Neighbours::outdated(const Bodies& bodies) const {
+  if (lists_ == 0) return true;
+  if (way_ == Way::verlet_list)
+    return verlet_.outdated(bodies, box_) || near_walls_.outdated(walls_, verlet_.skin());
+  return way_ != Way::nothing_to_find;
 }
 
-void Neighbours::rebuild(const Bodies& bodies, double skin) {
-  if (way_ == Way::all_pairs) {
-    list_all_pairs(bodies, box_, skin, pairs_);
+double Neighbours::skin() const {
+  if (way_ == Way::nothing_to_find) return std::numeric_limits<double>::infinity();
+  return way_ == Way::verlet_list ? verlet_.skin() : 0.0;
+}
+
+void Neighbours::list(const Bodies& bodies) {
+  if (way_ == Way::nothing_to_find) {
+    pairs_.assign(bodies.size(), {});
+  } else if (way_ == Way::all_pairs) {
+    list_all_pairs(bodies, box_, skin(), pairs_);
   } else {
-    chains_.fill(grid_over(bodies, box_, 2.0 * largest_reach_ + skin), bodies);
-    chains_.list_pairs(bodies, box_, skin, pairs_);
+    fill_cells(bodies);
+    chains_.list_pairs(bodies, box_, skin(), pairs_);
   }
-  near_walls_.list(walls_, bodies, box_, skin);
+  near_walls_.list(walls_, bodies, box_, skin());
   if (way_ == Way::verlet_list) verlet_.made(bodies);
+  ++lists_;
+}
+
+void Neighbours::fill_cells(const Bodies& bodies) {
+  chains_.fill(grid_over(bodies, box_, 2.0 * largest_reach_ + skin()), bodies);
+}
+
+std::vector<std::int32_t> Neighbours::order_in_space(const Bodies& bodies) {
+  fill_cells(bodies);
+  return chains_.order();
 }
 
 }  // namespace grainproof::reference

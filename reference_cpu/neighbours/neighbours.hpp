@@ -14,21 +14,23 @@ class Neighbours {
   /// Keeps references to the walls and the box.
   Neighbours(const Scene& scene, const Walls& walls, const Bodies& bodies, const PeriodicBox& box);
 
-  /// Positions must be finite and inside the domain.
-  void update(const Bodies& bodies);
+  /// Whether a contact could be missing. Positions must be finite and inside the domain from here on.
+  bool outdated(const Bodies& bodies) const;
+  void list(const Bodies& bodies);
+
+  /// Indices of all particles, cell by cell.
+  std::vector<std::int32_t> order_in_space(const Bodies& bodies);
 
   const PairList& pairs() const { return pairs_; }
   const NearWalls& walls() const { return near_walls_; }
-  std::int64_t rebuilds() const { return rebuilds_; }
+  std::int64_t rebuilds() const { return lists_ - 1; }
 
  private:
   enum class Way { nothing_to_find, all_pairs, cells, verlet_list };
 
   static Way way_for(const Scene& scene, const Bodies& bodies);
-  bool outdated(const Bodies& bodies) const {
-    return verlet_.outdated(bodies, box_) || near_walls_.outdated(walls_, verlet_.skin());
-  }
-  void rebuild(const Bodies& bodies, double skin);
+  double skin() const;
+  void fill_cells(const Bodies& bodies);
 
   Way way_;
   const Walls& walls_;
@@ -38,7 +40,7 @@ class Neighbours {
   ChainCells chains_;
   PairList pairs_;
   NearWalls near_walls_;
-  std::int64_t rebuilds_ = 0;
+  std::int64_t lists_ = 0;
 };
 
 }  // namespace grainproof::reference
