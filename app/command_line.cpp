@@ -54,7 +54,10 @@ void add_verify(CLI::App& program, Command& chosen) {
   command->add_option("--json", options->json, "Write the results as JSON")->type_name("FILE");
   command->add_option("--out", options->out, "Write results.json and report.html with plots here")
       ->type_name("DIR");
-  command->add_flag("--quick", options->quick, "Leave out the cases with most work (and say which)");
+  CLI::Option* quick =
+      command->add_flag("--quick", options->quick, "Only the quick cases: under two minutes on two cores");
+  command->add_flag("--bulk", options->bulk, "The cases of 10 000 bodies too: under an hour on two cores")
+      ->excludes(quick);
   command->callback(
       [&chosen, options] { chosen = [options](Terminal& terminal) { return verify(*options, terminal); }; });
 }
@@ -70,12 +73,15 @@ void add_run(CLI::App& program, Command& chosen) {
   command->add_option("--engine", options->engine, engine_help())->type_name("NAME")->capture_default_str();
   command->add_option("--precision", options->precision, "single or double, for opencl")->type_name("P");
   command->add_option("--device", options->device, device_help);
-  command->add_option("--out", options->out, "Write summary.json, frames as .vtp and frames.pvd here")
+  command
+      ->add_option("--out", options->out, "Write summary.json, walls.csv, frames as .vtp and frames.pvd here")
       ->type_name("DIR");
   command->add_option("--json", options->json, "Write the summary as JSON")->type_name("FILE");
-  command->add_flag(
-      "--csv", options->csv,
-      "With --out: also frames.csv, time,id,x,y,z,vx,vy,vz and with rotation wx,wy,wz, in full precision");
+  command->add_flag("--csv", options->csv,
+                    "With --out: also frames.csv, time,id,x,y,z,vx,vy,vz, with rotation wx,wy,wz, with "
+                    "orientation qw,qx,qy,qz, in full precision");
+  command->add_flag("--no-ledger", options->no_ledger,
+                    "Keep no energy and impulse ledger: faster, and no walls.csv");
   command->add_flag("--force", options->force, "Run although the step is above the stability limit");
   command->add_option("--nth", options->nth, sweep_help)->type_name("N");
   command->callback([&chosen, options] {
@@ -107,8 +113,25 @@ void add_compare(CLI::App& program, Command& chosen) {
 
 void add_bench(CLI::App& program, Command& chosen) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = add_command(program, "bench", "Measure speed (no suites yet)", "  grainproof bench\n");
-  command->add_option("suites", options->suites, "Suites (default: every one)");
+  CLI::App* command = add_command(program, "bench", "Measure speed and accuracy, and draw them",
+                                  "  grainproof bench --quick\n"
+                                  "  grainproof bench cundall scaling --most 1000000 --out speed\n"
+                                  "  grainproof bench peers --json peers.json\n");
+  command->add_option("suites", options->suites, "Suites (default: every one):\n" + suite_help());
+  command->add_flag("--quick", options->quick, "Small scenes and short measurements");
+  command->add_option("--least", options->least, "Particles of the smallest scene")->type_name("N");
+  command->add_option("--most", options->most, "Particles of the largest scene")->type_name("N");
+  command->add_option("--rounds", options->rounds, "Measurements of each subject")->type_name("N");
+  command->add_option("--seconds", options->seconds, "How long one measurement lasts")->type_name("S");
+  command->add_option("--engines", options->engines, "Of ours: reference, opencl, opencl:single …")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("A,B");
+  command->add_option("--device", options->device, device_help);
+  command->add_option("--json", options->json, "Write the results as JSON")->type_name("FILE");
+  command->add_option("--out", options->out, "Write results.json, tables.txt and SVG plots here")
+      ->type_name("DIR");
+  command->add_option("--cache", options->cache, "Where settled beds are kept")->type_name("DIR");
   command->callback(
       [&chosen, options] { chosen = [options](Terminal& terminal) { return bench(*options, terminal); }; });
 }

@@ -100,7 +100,7 @@ configure() {
   fi
 }
 
-# build ROOT TARGET: leaves an up-to-date Release build in ROOT/build/release.
+# build ROOT TARGET…: leaves an up-to-date Release build in ROOT/build/release.
 build() {
   local build=$1/build/release
   mkdir -p "$build"
@@ -109,7 +109,7 @@ build() {
     exec 9>"$build/.lock"
     flock 9
     configure "$build"
-    if ! ninja -C "$build" "$2" 2>&1 | tee "$build/build.log" | show_progress; then
+    if ! ninja -C "$build" "${@:2}" 2>&1 | tee "$build/build.log" | show_progress; then
       cat "$build/build.log" >&2
       stop "the build failed (above; kept in $build/build.log)"
     fi

@@ -14,7 +14,9 @@ struct Refused {
   std::vector<std::string> words;
 };
 
-void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.arguments; }
+void PrintTo(const Refused& refused, std::ostream* out) {
+  *out << refused.arguments;
+}
 
 class Refusal : public ::testing::TestWithParam<Refused> {};
 
@@ -46,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"UnknownDeviceOfVerify", "verify settling --device nonesuch", {"nonesuch"}},
         Refused{"SceneBeyondTheSweep", "run settling --nth 1000000", {"1000000", "scenes"}},
         Refused{"ComparedWithNothing", "compare settling --engines reference", {"two engines"}},
-        Refused{"BenchWithoutSuites", "bench", {"no benchmark suites"}}),
+        Refused{"BenchOfAnUnknownSuite", "bench sclaing", {"no suite sclaing", "scaling:"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Refusal, OfASceneNamesFileAndLine) {

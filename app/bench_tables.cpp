@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/bench_tables.hpp"
+
+#include <sstream>
+
+#include "report/numbers.hpp"
+
+namespace grainproof::app {
+namespace {
+
+using nlohmann::json;
+
+std::string cell(const json& row, const std::string& key) {
+  const auto found = row.find(key);
+  if (found == row.end() || found->is_null()) return "";
+  if (found->is_string()) return found->get<std::string>() == "completed" ? "" : found->get<std::string>();
+  if (found->is_number_integer()) return report::grouped(found->get<long long>());
+  return report::brief(found->get<double>());
+}
+
+bool is_number(const json& rows, const std::string& key) {
+  for (const json& row : rows)
+    if (row.contains(key)) return row.at(key).is_number();
+  return false;
+}
+
+json rows_of_suite(const json& results, const std::string& list, const std::string& suite) {
+  json rows = json::array();
+  if (results.contains(list))
+    for (const json& row : results.at(list))
+      if (row.at("suite") == suite) rows.push_back(row);
+  return rows;
+}
+
+std::string table_text(const Suite& suite, const json& rows, const report::Paint& paint) {
+  std::vector<report::Column> columns;
+  for (const ShownColumn& column : suite.columns)
+    columns.push_back(
+        {column.title, is_number(rows, column.key) ? report::Align::right : report::Align::left});
+  report::TextTable table(std::move(columns));
+  for (const json& row : rows) {
+    std::vector<std::string> cells;
+    for (const ShownColumn& column : suite.columns) cells.push_back(cell(row, column.key));
+    table.add(std::move(cells));
+  }
+  return table.text(paint, "  ");
+}
+
+std::string fit_text(const json& fit) {
+  std::string text = "  " + fit.at("scene").get<std::string>() + ", " + fit.at("engine").get<std::string>() +
+                     " " + fit.at("precision").get<std::string>() + ", sizes " +
+                     fit.at("over").get<std::string>() + ": ";
+  return text + "time ~ N^" + report::brief(fit.at("exponent").get<double>()) +
+         " (95 %: " + report::brief(fit.at("exponent_low").get<double>()) + " … " +
+         report::brief(fit.at("exponent_high").get<double>()) + ")\n";
+}
+
+std::string ratio_text(const json& ratio) {
+  return "  " + ratio.at("what").get<std::string>() + ": " + report::brief(ratio.at("median").get<double>()) +
+         " (" + report::brief(ratio.at("min").get<double>()) + " … " +
+         report::brief(ratio.at("max").get<double>()) + ")\n";
+}
+
+std::string skin_text(const json& best) {
+  return "  best skin of " + best.at("who").get<std::string>() + ": " +
+         report::brief(best.at("skin").get<double>()) + " diameters\n";
+}
+
+std::string decade_text(const json& decade) {
+  return "  error " + report::brief(decade.at("error").get<double>()) + ", " +
+         decade.at("who").get<std::string>() + ": " + report::duration(decade.at("wall_s").get<double>()) +
+         " with " + decade.at("integrator").get<std::string>() + ", " +
+         decade.at("steps_per_contact").get<std::string>() + " steps a contact\n";
+}
+
+}  // namespace
+
+std::string suite_text(const Suite& suite, const json& results, const report::Paint& paint) {
+  std::ostringstream text;
+  text << paint.bold(suite.name) << ": " << suite.what << "\n"
+       << table_text(suite, rows_of_suite(results, "results", suite.name), paint);
+  for (const json& fit : rows_of_suite(results, "fits", suite.name))
+    if (fit.contains("exponent")) text << fit_text(fit);
+  for (const json& ratio : rows_of_suite(results, "ratios", suite.name)) text << ratio_text(ratio);
+  for (const json& best : rows_of_suite(results, "best_skins", suite.name)) text << skin_text(best);
+  for (const json& decade : rows_of_suite(results, "decades", suite.name)) text << decade_text(decade);
+  return text.str();
+}
+
+}  // namespace grainproof::app
