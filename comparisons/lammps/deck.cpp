@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "comparisons/lammps/styles.hpp"
+#include "comparisons/lammps/walls.hpp"
 #include "comparisons/peers/deck.hpp"
 
 namespace grainproof::lammps {
@@ -66,13 +67,13 @@ std::string contacts(const Scene& scene, const TypeTable& table) {
 std::string walls(const Scene& scene, const TypeTable& table) {
   std::ostringstream out = peers::exact_text();
   for (std::size_t w = 0; w < scene.walls.size(); ++w) {
-    const peers::AxisPlane plane = peers::axis_plane(scene.walls[w]);
+    out << wall_region(scene, w);
     for (std::size_t t = 0; t < table.types.size(); ++t) {
       if (!table.types[t].moves) continue;
       const std::string style = style_of(scene, table.types[t], table.types[table.of_wall[w]]);
       if (style.empty()) continue;
       out << "group touching" << t << " type " << t + 1 << "\nfix wall" << w << '_' << t << " touching" << t
-          << " wall/gran " << style << ' ' << "xyz"[plane.axis] << "plane " << plane.at << " NULL\n";
+          << ' ' << wall_fix(scene, w, style) << '\n';
     }
   }
   return out.str();
@@ -84,7 +85,7 @@ std::string scene_deck(const Scene& scene, const Request& request, const std::fi
                        int number) {
   const TypeTable table = peers::atom_types(scene);
   peers::write_inputs(scene, request, table, folder, number);
-  return "clear\natom_style sphere\n" + peers::set_up(scene, "comm_modify vel yes", number) +
+  return "clear\natom_style sphere\n" + peers::set_up(scene, "comm_modify vel yes", false, number) +
          contacts(scene, table) + walls(scene, table) + peers::motion(scene, table) +
          peers::fields(scene, table) + peers::output_and_run(scene, request, "format line", number);
 }

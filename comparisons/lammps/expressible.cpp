@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "comparisons/lammps/walls.hpp"
 #include "comparisons/peers/atom_types.hpp"
 #include "comparisons/peers/expressible.hpp"
 
@@ -49,6 +50,8 @@ bool any(const Scene& scene, Member member) {
 
 Support expressible(const Scene& scene, const Request& request) {
   if (const Support support = peers::setting_support(scene, request, "LAMMPS"); !support) return support;
+  for (const Wall& wall : scene.walls)
+    if (const Support support = wall_support(scene, wall); !support) return support;
   for (const ContactLaws& laws : peers::all_laws(scene))
     if (const Support support = contact_support(scene, laws); !support) return support;
   return {};

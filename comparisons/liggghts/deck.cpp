@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparisons/liggghts/deck.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "comparisons/liggghts/models.hpp"
+#include "comparisons/liggghts/walls.hpp"
 #include "comparisons/peers/atom_types.hpp"
 #include "comparisons/peers/deck.hpp"
 
@@ -107,14 +109,18 @@ std::string contacts(const Scene& scene, const TypeTable& table, const Models& m
          rolling_property(scene, table, models);
 }
 
-std::string walls(const Scene& scene, const TypeTable& table, const Models& models) {
-  std::ostringstream out = peers::exact_text();
-  for (std::size_t w = 0; w < scene.walls.size(); ++w) {
-    const peers::AxisPlane plane = peers::axis_plane(scene.walls[w]);
-    out << "fix wall" << w << " all wall/gran " << model(models) << " primitive type " << table.of_wall[w] + 1
-        << ' ' << "xyz"[plane.axis] << "plane " << plane.at << model_settings(models) << '\n';
-  }
-  return out.str();
+bool any_mesh(const Scene& scene) {
+  return std::any_of(scene.walls.begin(), scene.walls.end(),
+                     [&](const Wall& wall) { return is_mesh(scene, wall); });
+}
+
+constexpr double worth_forgetting = 5e6;  // particle-steps
+
+/// A pair that parts and touches again keeps its old spring until a new list of neighbours drops it
+/// (measured), so where that is cheap there is one at every step.
+std::string forgetting(const Scene& scene, const Models& models) {
+  const double work = static_cast<double>(scene.particles.size()) * scene.run.end / scene.run.step;
+  return models.history && work <= worth_forgetting ? "neigh_modify every 1 delay 0 check no\n" : "";
 }
 
 }  // namespace
@@ -125,8 +131,10 @@ std::string scene_deck(const Scene& scene, const Request& request, const std::fi
   const Models models = models_of(scene);
   peers::write_inputs(scene, request, table, folder, number);
   return "clear\nsoft_particles yes\nhard_particles yes\natom_style granular\n" +
-         peers::set_up(scene, "communicate single vel yes", number) + contacts(scene, table, models) +
-         walls(scene, table, models) + peers::motion(scene, table) + peers::fields(scene, table) +
+         peers::set_up(scene, "communicate single vel yes", any_mesh(scene), number) +
+         forgetting(scene, models) + contacts(scene, table, models) +
+         wall_commands(scene, table.of_wall, {model(models), model_settings(models)}, folder, number) +
+         peers::motion(scene, table) + peers::fields(scene, table) +
          peers::output_and_run(scene, request, "format", number);
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "comparisons/liggghts/models.hpp"
+#include "comparisons/liggghts/walls.hpp"
 #include "comparisons/peers/atom_types.hpp"
 #include "comparisons/peers/expressible.hpp"
 
@@ -66,6 +67,8 @@ Support contact_support(const Scene& scene, const ContactLaws& laws) {
 
 Support expressible(const Scene& scene, const Request& request) {
   if (const Support support = peers::setting_support(scene, request, "LIGGGHTS"); !support) return support;
+  for (const Wall& wall : scene.walls)
+    if (const Support support = wall_support(scene, wall); !support) return support;
   for (const ContactLaws& laws : peers::all_laws(scene))
     if (const Support support = contact_support(scene, laws); !support) return support;
   return peers::all_laws(scene).empty() ? Support{} : one_model(scene);

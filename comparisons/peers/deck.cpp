@@ -98,7 +98,7 @@ void write_inputs(const Scene& scene, const Request& request, const TypeTable& t
   write_steps(sample_steps(scene, request), folder / name_with("steps.", number));
 }
 
-std::string set_up(const Scene& scene, const char* talk, int number) {
+std::string set_up(const Scene& scene, const char* talk, bool bins, int number) {
   std::ostringstream out = exact_text();
   out << "atom_modify map array sort 0 0.0\nboundary";
   for (int axis = 0; axis < 3; ++axis) out << (scene.domain.periodic(axis) ? " p" : " f");
@@ -106,20 +106,9 @@ std::string set_up(const Scene& scene, const char* talk, int number) {
   for (const Particle& particle : scene.particles) largest = std::max(largest, particle.diameter);
   out << "\nnewton off\n"
       << talk << "\nunits si\nprocessors * * 1\nread_data " << name_with("data.", number) << "\nneighbor "
-      << 0.1 * largest << (scene.particles.size() < few_particles ? " nsq" : " bin")
+      << 0.1 * largest << (scene.particles.size() < few_particles && !bins ? " nsq" : " bin")
       << "\nneigh_modify delay 0\n";
   return out.str();
-}
-
-AxisPlane axis_plane(const Wall& wall) {
-  int axis = 0;
-  if (const auto* plane = std::get_if<Plane>(&wall.shape)) {
-    plane->normal.cwiseAbs().maxCoeff(&axis);
-    return {axis, plane->point[axis]};
-  }
-  const auto& rectangle = std::get<Rectangle>(wall.shape);
-  (rectangle.upper - rectangle.lower).cwiseAbs().minCoeff(&axis);
-  return {axis, rectangle.lower[axis]};
 }
 
 std::string motion(const Scene& scene, const TypeTable& table) {

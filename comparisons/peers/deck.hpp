@@ -21,16 +21,9 @@ std::string name_with(const char* stem, int number);
 void write_inputs(const Scene& scene, const Request& request, const TypeTable& table,
                   const std::filesystem::path& folder, int number);
 
-/// From `atom_modify` to `neigh_modify`; `talk` is how ghosts are told to carry velocities.
-std::string set_up(const Scene& scene, const char* talk, int number);
-
-struct AxisPlane {
-  int axis;
-  double at;
-};
-
-/// Of a wall that wall_support() has let through.
-AxisPlane axis_plane(const Wall& wall);
+/// From `atom_modify` to `neigh_modify`; `talk` is how ghosts are told to carry velocities, `bins` whether
+/// pairs are to be found by bins however few there are.
+std::string set_up(const Scene& scene, const char* talk, bool bins, int number);
 
 /// Group `moving` and its integration: nve/sphere where bodies turn, else nve, which leaves at zero the
 /// spin that friction would give. Fixed particles are frozen.

@@ -36,39 +36,6 @@ Support flow_support(const Flow& flow, const std::string& program) {
       flow);
 }
 
-/// A rectangle is a plane where it spans its whole cross-section of the domain.
-bool spans_domain(const Rectangle& rectangle, const Domain& domain) {
-  int across = 0;
-  (rectangle.upper - rectangle.lower).minCoeff(&across);
-  for (int axis = 0; axis < 3; ++axis)
-    if (axis != across &&
-        (rectangle.lower[axis] > domain.lower[axis] || rectangle.upper[axis] < domain.upper[axis]))
-      return false;
-  return true;
-}
-
-Support wall_support(const Scene& scene, const std::string& program) {
-  for (const Wall& wall : scene.walls) {
-    if (!std::holds_alternative<Still>(wall.motion))
-      return Support::no(program + " is asked for walls that stand still only");
-    if (const auto* rectangle = std::get_if<Rectangle>(&wall.shape)) {
-      if (!spans_domain(*rectangle, scene.domain))
-        return Support::no(program + "'s flat walls have no edges");
-      continue;
-    }
-    if (std::holds_alternative<Cylinder>(wall.shape))
-      return Support::no(program + " is asked for flat walls only");
-    const auto& plane = std::get<Plane>(wall.shape);
-    if (plane.normal.cwiseAbs().maxCoeff() != 1.0)
-      return Support::no(program + "'s flat walls lie along the axes");
-    for (const Particle& particle : scene.particles)
-      if ((particle.position - plane.point).dot(plane.normal) < 0.0)
-        return Support::no("a particle starts behind a wall, which " + program +
-                           " has solid from both sides");
-  }
-  return {};
-}
-
 /// What is kept matters where the stiffness changes.
 Support memory_support(const ContactLaws& laws, const HistoryFriction& law, const std::string& program) {
   const bool same =
@@ -106,7 +73,7 @@ Support setting_support(const Scene& scene, const Request& request, const std::s
   if (request.ledger) return Support::no(program + " keeps no energy and impulse ledger");
   for (const Support& support :
        {integrator_support(scene.run.integrator, program), gravity_support(scene.gravity, program),
-        flow_support(scene.flow, program), wall_support(scene, program), start_support(scene, program)})
+        flow_support(scene.flow, program), start_support(scene, program)})
     if (!support) return support;
   if (atom_types(scene).types.size() > most_types)
     return Support::no("more than " + std::to_string(most_types) + " kinds of particles and walls");

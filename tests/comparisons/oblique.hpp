@@ -27,6 +27,7 @@ struct Oblique {
 
   std::array<Body, 2> bodies{};
   Vec3 spring = Vec3::Zero();
+  Vec3 rolling = Vec3::Zero();  ///< torque on the first body
 
   explicit Oblique(Scene given) : scene(std::move(given)), wall(!scene.walls.empty()) {
     friction = std::get<HistoryFriction>(scene.contacts.at(0, 0).friction);
@@ -50,8 +51,12 @@ struct Oblique {
   Stiffness linear(const LinearNormal& law, double overlap) const {
     const double m = 1.0 / (bodies[0].inverse_mass + bodies[1].inverse_mass);
     const auto* given = std::get_if<Damping>(&law.dissipation);
-    const double e = given ? 1.0 : std::get<Restitution>(law.dissipation).value;
-    const double eta = given ? given->value : e < 1.0 ? dashpot(e, m, law.stiffness) : 0.0;
+    const auto* share = std::get_if<DampingRatio>(&law.dissipation);
+    const double e = given || share ? 1.0 : std::get<Restitution>(law.dissipation).value;
+    const double eta = given     ? given->value
+                       : share   ? 2.0 * share->value * std::sqrt(m * law.stiffness)
+                       : e < 1.0 ? dashpot(e, m, law.stiffness)
+                                 : 0.0;
     return {law.stiffness * overlap, friction.stiffness, eta, friction.damping_ratio * eta};
   }
 
@@ -59,14 +64,19 @@ struct Oblique {
   Stiffness hertz(const HertzNormal& law, double overlap) const {
     const auto [E, nu] = *scene.materials[0].elasticity;
     const double m = 1.0 / (bodies[0].inverse_mass + bodies[1].inverse_mass);
-    const double R = wall ? bodies[1].r : bodies[0].r * bodies[1].r / (bodies[0].r + bodies[1].r);
-    const double root = std::sqrt(R * overlap);
+    const double root = std::sqrt(effective_radius() * overlap);
     const double kn = E / (1.0 - nu * nu) * root;
     const double kt = 2.0 * E / ((2.0 - nu) * (1.0 + nu)) * root;
-    const double e = std::log(std::get<Restitution>(law.dissipation).value);
-    const double tsuji = -2.0 * std::sqrt(5.0 / 6.0) * e / std::hypot(e, std::numbers::pi);
+    const auto* share = std::get_if<DampingRatio>(&law.dissipation);
+    const double e = share ? 0.0 : std::log(std::get<Restitution>(law.dissipation).value);
+    const double tsuji =
+        share ? 2.0 * share->value : -2.0 * std::sqrt(5.0 / 6.0) * e / std::hypot(e, std::numbers::pi);
     return {2.0 / 3.0 * kn * overlap, kt, tsuji * std::sqrt(m * kn),
             friction.damping_ratio * tsuji * std::sqrt(m * kt)};
+  }
+
+  double effective_radius() const {
+    return wall ? bodies[1].r : bodies[0].r * bodies[1].r / (bodies[0].r + bodies[1].r);
   }
 
   Stiffness stiffness_at(double overlap) const {
@@ -95,6 +105,26 @@ struct Oblique {
     return force;
   }
 
+  /// docs/laws/rolling.md, as LIGGGHTS has it: at a wall the rolling spring is stretched by the spin times
+  /// arm over distance. `advanced` is the time it is stretched for; returns the torque on the first.
+  Vec3 roll(const Stiffness& k, const Vec3& n, double push, double overlap, double advanced) {
+    const Vec3 spin = wall ? Vec3(-bodies[1].w) : Vec3(bodies[0].w - bodies[1].w);
+    const Vec3 across = spin - spin.dot(n) * n;
+    const double radius = effective_radius();
+    const RollingLaw& law = scene.contacts.at(0, 0).rolling;
+    if (const auto* constant = std::get_if<ConstantTorqueRolling>(&law))
+      return -constant->coefficient * radius * k.elastic / spin.norm() * across;
+    if (const auto* elastic = std::get_if<SpringRolling>(&law)) {
+      const double r = bodies[1].r;
+      const double factor = wall ? (r - 0.5 * overlap) / (r - overlap) : 1.0;
+      rolling -= factor * k.tangential * radius * radius * advanced * across;
+      const double limit = elastic->coefficient * radius * std::abs(push);
+      if (rolling.norm() > limit) rolling *= limit / rolling.norm();
+      return rolling;
+    }
+    return Vec3::Zero();
+  }
+
   Load load(double advanced) {
     Body& one = bodies[0];
     Body& two = bodies[1];
@@ -103,6 +133,7 @@ struct Oblique {
     const double overlap = (wall ? 0.0 : one.r) + two.r - distance;
     if (overlap <= 0.0) {
       spring.setZero();
+      rolling.setZero();
       return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
     }
     const Vec3 n = apart / distance;
@@ -118,7 +149,8 @@ struct Oblique {
     const auto* normal_law = std::get_if<LinearNormal>(&scene.contacts.at(0, 0).normal);
     if (normal_law && normal_law->no_tension) push = std::max(push, 0.0);
     const Vec3 pull = tangential(k, slip, friction.coefficient * std::abs(push));
-    return {push * n + pull, -arm_1 * n.cross(pull), -arm_2 * n.cross(pull)};
+    const Vec3 resisted = roll(k, n, push, overlap, advanced);
+    return {push * n + pull, -arm_1 * n.cross(pull) + resisted, -arm_2 * n.cross(pull) - resisted};
   }
 
   void kick(const Load& load, double h) {

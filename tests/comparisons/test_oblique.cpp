@@ -55,7 +55,7 @@ Scene random_wall(const ContactLaws& laws, unsigned seed) {
 /// Largest difference from the loop of this folder over random contacts: of speeds over 2 m/s, of spins
 /// over 30 rad/s.
 double largest_difference(Engine& engine, const ContactLaws& laws,
-                          Scene (*scene_with)(const ContactLaws&, unsigned), unsigned count = 100) {
+                          Scene (*scene_with)(const ContactLaws&, unsigned), unsigned count = 200) {
   std::vector<Scene> scenes;
   for (unsigned seed = 0; seed < count; ++seed) scenes.push_back(scene_with(laws, seed));
   const Support support = engine.supports(scenes.front(), {});
@@ -91,9 +91,9 @@ Scene elastic(const ContactLaws& laws, unsigned seed) {
   return scene;
 }
 
-TEST(LammpsOblique, PairIsIntegratedAsItsLawIsWritten) {
+TEST(LammpsOblique, ThousandPairsAreIntegratedAsTheirLawIsWritten) {
   LammpsEngine lammps;
-  EXPECT_LE(largest_difference(lammps, linear(as_lammps), random_pair), same);
+  EXPECT_LE(largest_difference(lammps, linear(as_lammps), random_pair, 1000), same);
 }
 
 TEST(LammpsOblique, WallContactIsIntegratedAsItsLawIsWritten) {
@@ -107,9 +107,9 @@ TEST(LammpsOblique, ElasticHertzPairsAndWallsAreIntegratedAsTheirLawIsWritten) {
   EXPECT_LE(largest_difference(lammps, hertz(as_lammps, 1.0, 0.0), elastic<random_wall>), same);
 }
 
-TEST(LiggghtsOblique, PairIsIntegratedAsItsLawIsWritten) {
+TEST(LiggghtsOblique, ThousandPairsAreIntegratedAsTheirLawIsWritten) {
   LiggghtsEngine liggghts;
-  EXPECT_LE(largest_difference(liggghts, linear(as_liggghts), random_pair), same);
+  EXPECT_LE(largest_difference(liggghts, linear(as_liggghts), random_pair, 1000), same);
 }
 
 TEST(LiggghtsOblique, WallContactIsIntegratedAsItsLawIsWritten) {
@@ -126,6 +126,33 @@ TEST(LiggghtsOblique, HertzPairsAreIntegratedAsTheirLawIsWritten) {
 TEST(LiggghtsOblique, HertzWallContactsAreIntegratedAsTheirLawIsWritten) {
   LiggghtsEngine liggghts;
   EXPECT_LE(largest_difference(liggghts, hertz(as_liggghts, 0.7, 1.0), elastic<random_wall>), same);
+}
+
+TEST(LiggghtsOblique, RollingResistanceIsIntegratedAsItsLawsAreWritten) {
+  LiggghtsEngine liggghts;
+  for (const RollingLaw& rolling : {RollingLaw(ConstantTorqueRolling{0.1}), RollingLaw(SpringRolling{0.1}),
+                                    RollingLaw(SpringRolling{0.01})}) {
+    ContactLaws laws = linear(as_liggghts);
+    laws.rolling = rolling;
+    EXPECT_LE(largest_difference(liggghts, laws, random_pair, 50), same);
+    EXPECT_LE(largest_difference(liggghts, laws, random_wall, 50), same);
+    laws = hertz(as_liggghts, 0.7, 1.0);
+    laws.rolling = rolling;
+    EXPECT_LE(largest_difference(liggghts, laws, elastic<random_pair>, 50), same);
+    EXPECT_LE(largest_difference(liggghts, laws, elastic<random_wall>, 50), same);
+  }
+}
+
+TEST(Oblique, DashpotsGivenAsShareOfTheCriticalOneAreThose) {
+  LammpsEngine lammps;
+  LiggghtsEngine liggghts;
+  const LinearNormal normal{stiffness, DampingRatio{0.1}};
+  EXPECT_LE(largest_difference(lammps, {normal, as_lammps}, random_pair, 30), same);
+  EXPECT_LE(largest_difference(liggghts, {normal, as_liggghts}, random_wall, 30), same);
+  HistoryFriction damped = as_liggghts;
+  damped.damping_ratio = 1.0;
+  const ContactLaws share{HertzNormal{DampingRatio{0.1}}, damped};
+  EXPECT_LE(largest_difference(liggghts, share, elastic<random_pair>, 30), same);
 }
 
 TEST(Oblique, FrictionHasTheNormalForceThatIsLeftWithoutTension) {
