@@ -52,7 +52,7 @@ report::Seen see(Engine& engine, const Scene& scene, Progress& progress, const C
   report::Seen seen{engine.name(), {}};
   std::vector<Frame> frames;
   seen.observations =
-      drive(engine, scene, {}, progress, [&](const Frame& frame) { frames.push_back(frame); });
+      drive(engine, scene, {}, progress, [&](const Frame& frame, const Ledger*) { frames.push_back(frame); });
   seen.observations.frames = std::move(frames);
   if (options.out.empty()) return seen;
   report::FrameWriter writer(options.out / folder_name(seen.engine), scene, true);

@@ -58,7 +58,7 @@ void give_last_good_frame(SteppingEngine& engine, const Scene& scene, const Outc
     run->advance(step);
     run->synchronise();
     seen.frames.assign(1, run->frame());
-    sink(seen.frames.back());
+    sink(seen.frames.back(), nullptr);
   } catch (const RunWentWrong&) {
     // It went wrong before the step it named; the frames given so far are what there is.
   }
@@ -74,9 +74,9 @@ void step_through(SteppingEngine& engine, const Scene& scene, const Request& req
     for (std::int64_t step : steps) {
       stepper.advance_to(step);
       seen.frames.assign(1, run->frame());
-      sink(seen.frames.back());
+      if (request.ledger) seen.final_ledger = run->ledger();
+      sink(seen.frames.back(), seen.final_ledger ? &*seen.final_ledger : nullptr);
     }
-    if (request.ledger) seen.final_ledger = run->ledger();
   } catch (const RunWentWrong& failure) {
     seen.outcome = {Outcome::Status::went_wrong, failure.what(), failure.step, failure.time,
                     failure.particles};
@@ -105,7 +105,7 @@ Observations drive(Engine& engine, const Scene& scene, const Request& request, P
   if (auto* stepping = dynamic_cast<SteppingEngine*>(&engine))
     return drive_stepping(*stepping, scene, request, progress, sink);
   Observations seen = engine.observe(scene, request);
-  for (const Frame& frame : seen.frames) sink(frame);
+  for (const Frame& frame : seen.frames) sink(frame, nullptr);
   if (seen.frames.size() > 1) seen.frames.erase(seen.frames.begin(), seen.frames.end() - 1);
   return seen;
 }

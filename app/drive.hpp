@@ -8,7 +8,8 @@
 
 namespace grainproof::app {
 
-using FrameSink = std::function<void(const Frame&)>;
+/// The ledger at the frame's time; null where none is kept, and of frames that are found again.
+using FrameSink = std::function<void(const Frame&, const Ledger*)>;
 
 /// Observes a scene and gives each frame to `sink` as it comes; the observations hold no frame but the
 /// last. An engine that steps shows its progress. When such a run goes wrong early enough, the last good

@@ -39,18 +39,20 @@ fs::path data_root() {
 
 std::vector<fs::path> known_cases(const fs::path& root) {
   std::vector<fs::path> cases;
-  for (const auto& entry : fs::directory_iterator(root / "scenes"))
+  for (const auto& entry : fs::recursive_directory_iterator(root / "scenes"))
     if (entry.path().extension() == ".toml") cases.push_back(entry.path());
-  std::sort(cases.begin(), cases.end());
+  std::sort(cases.begin(), cases.end(),
+            [](const fs::path& a, const fs::path& b) { return a.stem() < b.stem(); });
   return cases;
 }
 
 fs::path find_case(const fs::path& root, const std::string& name_or_path) {
   if (fs::is_regular_file(name_or_path)) return name_or_path;
-  const fs::path named = root / "scenes" / (name_or_path + ".toml");
-  if (name_or_path.find('/') == std::string::npos && fs::is_regular_file(named)) return named;
   std::string known;
-  for (const fs::path& path : known_cases(root)) known.append(" ").append(path.stem().string());
+  for (const fs::path& path : known_cases(root)) {
+    if (path.stem() == name_or_path) return path;
+    known.append(" ").append(path.stem().string());
+  }
   throw InputRefused("no case " + name_or_path + "; expected a scene file or one of:" + known);
 }
 

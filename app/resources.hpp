@@ -12,7 +12,7 @@ namespace grainproof::app {
 /// Nothing is compiled in, so an installed or moved tree works. Throws InputRefused.
 std::filesystem::path data_root();
 
-/// The scene files of the data folder, by name.
+/// The scene files of the data folder and the folders in it, by name.
 std::vector<std::filesystem::path> known_cases(const std::filesystem::path& root);
 
 /// A scene file by path, or by its name in the data folder. Throws InputRefused with what there is.

@@ -14,15 +14,18 @@
 #include "report/frames.hpp"
 #include "report/numbers.hpp"
 #include "report/run_summary.hpp"
+#include "report/walls_csv.hpp"
 
 namespace grainproof::app {
 namespace {
 
-/// With the energy ledger where the engine can keep one. Throws InputRefused where it cannot run at all.
-Request supported_request(const Engine& engine, const Scene& scene) {
+/// With the energy ledger where it is wanted and the engine can keep one. Throws InputRefused where it
+/// cannot run at all.
+Request supported_request(const Engine& engine, const Scene& scene, bool no_ledger) {
   if (const Support support = engine.supports(scene, {}); !support)
     throw InputRefused(engine.name() + " does not support this scene: " + support.because);
   Request request;
+  if (no_ledger) return request;
   request.ledger = true;
   request.ledger = engine.supports(scene, request).yes;
   return request;
@@ -56,15 +59,19 @@ int run_scene(const RunOptions& options, Terminal& terminal) {
   const auto data = data_root();
   const auto engine = make_engine(options.engine, {data, options.precision, options.device});
   const ChosenScene chosen = choose_scene(data, options.scene, options.nth, options.force, progress);
-  const Request request = supported_request(*engine, chosen.scene);
+  const Request request = supported_request(*engine, chosen.scene, options.no_ledger);
 
   std::optional<report::FrameWriter> writer;
   if (!options.out.empty()) writer.emplace(options.out, chosen.scene, options.csv);
+  std::optional<report::WallWriter> walls;
+  if (writer && request.ledger && !chosen.scene.walls.empty()) walls.emplace(options.out, chosen.scene);
   std::int64_t frames = 0;
-  const Observations seen = drive(*engine, chosen.scene, request, progress, [&](const Frame& frame) {
-    if (writer) writer->write(frame);
-    ++frames;
-  });
+  const Observations seen =
+      drive(*engine, chosen.scene, request, progress, [&](const Frame& frame, const Ledger* ledger) {
+        if (writer) writer->write(frame);
+        if (walls && ledger) walls->write(frame.time, *ledger);
+        ++frames;
+      });
 
   const report::RunSummary summary = summarise(chosen, seen, frames);
   const std::string json = report::summary_json(summary, seen, report::this_machine()).dump(2) + "\n";

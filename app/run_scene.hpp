@@ -16,6 +16,7 @@ struct RunOptions {
   std::filesystem::path out;   ///< folder for frames and summary.json; empty writes none
   std::filesystem::path json;  ///< summary; empty writes none
   bool csv = false;
+  bool no_ledger = false;
   bool force = false;
   int nth = 0;  ///< which scene of a sweep, from 1; 0 is the first, with a remark
 };

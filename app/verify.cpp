@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/engines.hpp"
 #include "app/exit_code.hpp"
@@ -15,7 +18,6 @@
 #include "model/errors.hpp"
 #include "report/files.hpp"
 #include "report/html.hpp"
-#include "report/numbers.hpp"
 #include "report/results_json.hpp"
 #include "report/verdict_text.hpp"
 
@@ -24,15 +26,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Particle-steps over all scenes of a case that --quick still runs: some ten seconds on one core.
-constexpr double quick_work = 1e7;
-
-double work(const Case& subject) {
-  double steps = 0.0;
-  for (const ResolvedScene& resolved : subject.scenes)
-    steps += static_cast<double>(resolved.scene.particles.size()) * resolved.scene.run.end /
-             resolved.scene.run.step;
-  return steps;
+/// The dearest tier that a run of this kind has in it.
+Tier dearest(const VerifyOptions& options) {
+  if (options.bulk) return Tier::bulk;
+  return options.quick ? Tier::quick : Tier::standard;
 }
 
 std::vector<fs::path> case_files(const VerifyOptions& options, const fs::path& data) {
@@ -42,17 +39,33 @@ std::vector<fs::path> case_files(const VerifyOptions& options, const fs::path& d
   return files;
 }
 
-/// Every case is read before any runs, so that a refusal costs nothing.
+const char* flag_for(Tier tier) {
+  return tier == Tier::bulk ? "--bulk runs them, and so does naming them"
+                            : "without --quick they run, and if they are named";
+}
+
+void say_what_is_left_out(const std::vector<std::pair<std::string, Tier>>& left, Progress& progress) {
+  for (const Tier tier : {Tier::standard, Tier::bulk}) {
+    std::string names;
+    for (const auto& [name, own] : left)
+      if (own == tier) names.append(names.empty() ? "" : ", ").append(name);
+    if (!names.empty()) progress.say("left out: " + names + "; " + flag_for(tier));
+  }
+}
+
+/// Every case is read before any runs, so that a refusal costs nothing. A case that is named runs whatever
+/// its tier.
 std::vector<Case> read_cases(const VerifyOptions& options, const fs::path& data, Progress& progress) {
   std::vector<Case> cases;
+  std::vector<std::pair<std::string, Tier>> left;
   for (const fs::path& file : case_files(options, data)) {
     Case subject = read_case(file);
-    if (options.quick && work(subject) > quick_work)
-      progress.say("left out by --quick: " + subject.name + ", " + report::brief(work(subject)) +
-                   " particle-steps");
+    if (options.cases.empty() && subject.tier > dearest(options))
+      left.emplace_back(subject.name, subject.tier);
     else
       cases.push_back(std::move(subject));
   }
+  say_what_is_left_out(left, progress);
   if (cases.empty()) throw InputRefused("no case to verify in " + (data / "scenes").string());
   return cases;
 }

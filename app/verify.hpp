@@ -15,7 +15,8 @@ struct VerifyOptions {
   std::string device;
   std::filesystem::path json;  ///< results; empty writes none
   std::filesystem::path out;   ///< folder for results.json and report.html; empty writes none
-  bool quick = false;          ///< leaves out the cases with most work
+  bool quick = false;          ///< the cases of tier quick only
+  bool bulk = false;           ///< those of tier bulk too
 };
 
 /// Judges engines by cases. Returns an ExitCode; throws InputRefused before anything runs.

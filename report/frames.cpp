@@ -26,6 +26,10 @@ std::string vectors_text(const std::vector<Vec3>& values) {
   return text;
 }
 
+std::string quaternion_text(const Quaternion& turn, char between) {
+  return exact(turn.w()) + between + vector_text(turn.vec(), between);
+}
+
 std::string array_text(const std::string& attributes, const std::string& values) {
   return "<DataArray " + attributes + " format=\"ascii\">\n" + values + "</DataArray>\n";
 }
@@ -42,10 +46,14 @@ std::string point_data(const Scene& scene, const Frame& frame) {
           ? ""
           : array_text(R"(type="Float64" Name="angular_velocity" NumberOfComponents="3")",
                        vectors_text(frame.angular_velocity));
+  std::string turns;
+  for (const Quaternion& turn : frame.orientation) turns += quaternion_text(turn, ' ') + "\n";
+  if (!turns.empty())
+    turns = array_text(R"(type="Float64" Name="orientation" NumberOfComponents="4")", turns);
   return "<PointData Vectors=\"velocity\" Scalars=\"diameter\">\n" +
          array_text(R"(type="Float64" Name="velocity" NumberOfComponents="3")",
                     vectors_text(frame.velocity)) +
-         spins + array_text(R"(type="Int64" Name="id")", ids) +
+         spins + turns + array_text(R"(type="Int64" Name="id")", ids) +
          array_text(R"(type="Float64" Name="diameter")", diameters) + "</PointData>\n";
 }
 
@@ -81,6 +89,11 @@ std::string pvd_text(const std::vector<double>& times) {
   return text + "</Collection>\n</VTKFile>\n";
 }
 
+std::string csv_header(const Scene& scene) {
+  return std::string("time,id,x,y,z,vx,vy,vz") + (scene.rotation ? ",wx,wy,wz" : "") +
+         (scene.orientation == OrientationUpdate::none ? "" : ",qw,qx,qy,qz") + "\n";
+}
+
 std::string csv_text(const Scene& scene, const Frame& frame) {
   std::string text;
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
@@ -88,6 +101,7 @@ std::string csv_text(const Scene& scene, const Frame& frame) {
             vector_text(frame.position[i], ',') + "," + vector_text(frame.velocity[i], ',');
     if (!frame.angular_velocity.empty())
       text.append(1, ',').append(vector_text(frame.angular_velocity[i], ','));
+    if (!frame.orientation.empty()) text.append(1, ',').append(quaternion_text(frame.orientation[i], ','));
     text += "\n";
   }
   return text;

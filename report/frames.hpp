@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <vector>
 
 #include "model/observations.hpp"
@@ -28,15 +29,14 @@ class FrameWriter {
   std::vector<double> times_;
 };
 
-/// VTK XML PolyData: points, velocity, angular velocity where there is one, id and diameter.
+/// VTK XML PolyData: points, velocity, angular velocity and orientation (w, x, y, z) where there are
+/// some, id and diameter.
 std::string vtp_text(const Scene& scene, const Frame& frame);
 
 /// ParaView collection: file names relative to itself, with their times.
 std::string pvd_text(const std::vector<double>& times);
 
-inline const char* csv_header(const Scene& scene) {
-  return scene.rotation ? "time,id,x,y,z,vx,vy,vz,wx,wy,wz\n" : "time,id,x,y,z,vx,vy,vz\n";
-}
+std::string csv_header(const Scene& scene);
 
 /// A line a particle, in full precision; no header.
 std::string csv_text(const Scene& scene, const Frame& frame);

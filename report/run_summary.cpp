@@ -21,8 +21,10 @@ json ledger_json(const Ledger& ledger) {
           {"cohesive", ledger.cohesive},
           {"gravity_work", ledger.gravity_work},
           {"drag_work", ledger.drag_work},
+          {"wall_work", ledger.wall_work},
           {"dissipated_normal", ledger.dissipated_normal},
           {"dissipated_tangential", ledger.dissipated_tangential},
+          {"dissipated_rolling", ledger.dissipated_rolling},
           {"balance", ledger.balance()},
           {"support_impulse", vector_json(ledger.support_impulse)},
           {"field_impulse", vector_json(ledger.field_impulse)}};
@@ -57,7 +59,8 @@ void energy_lines(const Observations& seen, std::ostringstream& text) {
   if (!seen.initial_ledger || !seen.final_ledger) return;
   const Ledger& last = *seen.final_ledger;
   text << "  energy         kinetic " << brief(last.kinetic) << " J, elastic " << brief(last.elastic)
-       << " J, dissipated " << brief(last.dissipated_normal + last.dissipated_tangential)
+       << " J, dissipated "
+       << brief(last.dissipated_normal + last.dissipated_tangential + last.dissipated_rolling)
        << " J; the ledger drifted by " << brief(last.balance() - seen.initial_ledger->balance()) << " J\n";
 }
 
