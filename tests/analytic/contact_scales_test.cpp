@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analytic/hertz.hpp"
 #include "model/errors.hpp"
 #include "tests/analytic/scenes.hpp"
 
@@ -91,6 +92,22 @@ TEST(ShortestContact, CountsWallsOfEveryMaterialPresent) {
   const double expected =
       contact_duration(1e5, damping({1e5, Restitution{0.8}}, sphere_mass(2000, 0.1)), sphere_mass(2000, 0.1));
   EXPECT_EQ(shortest_contact(scene)->duration, expected);
+}
+
+TEST(DampingRatio, IsAShareOfTheCriticalDashpot) {
+  const double m = 1.047, k = 1e5;
+  EXPECT_NEAR(damping({k, DampingRatio{1.0}}, m), 2.0 * std::sqrt(m * k), 1e-12);
+  EXPECT_EQ(restitution_of(damping({k, DampingRatio{1.0}}, m), k, m), 0.0);
+  EXPECT_NEAR(damping({k, DampingRatio{0.3}}, m) / damping({k, DampingRatio{1.0}}, m), 0.3, 1e-15);
+}
+
+/// Of a Hertz contact the rebound is exp(-pi b/sqrt(1 - b²)) with b = γ sqrt(6/5) (hertz.14).
+TEST(DampingRatio, OfAHertzContactGivesTheSameRebound) {
+  const double ratio = 0.2, beta = ratio * std::sqrt(1.2);
+  const double rebound = std::exp(-M_PI * beta / std::sqrt(1.0 - beta * beta));
+  EXPECT_NEAR(hertz_damping_ratio(DampingRatio{ratio}) / hertz_damping_ratio(Restitution{rebound}), 1.0,
+              1e-14);
+  EXPECT_THROW(hertz_damping_ratio(Damping{1.0}), InputRefused);
 }
 
 }  // namespace

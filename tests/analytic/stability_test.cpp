@@ -95,6 +95,40 @@ TEST(StabilityLimit, OfDragIsTwiceTheRelaxationTimeUnlessImplicit) {
   EXPECT_TRUE(std::isinf(stability_limit(scene).step));
 }
 
+/// The tangential spring and the spring against rolling of a sphere on a wall (rolling.9), step by step:
+/// displacement and turn as paths, slip and surface speed as rates.
+double growth_of_roll(double rate, double h) {
+  double slip = 0.3, surface = -0.2, spring = 0.0, turn = 0.0, largest = 0.0;
+  for (int n = 0; n < 4000; ++n) {
+    spring += h * slip;
+    turn += h * surface;
+    slip -= h * rate * (3.5 * spring - 2.5 * turn);
+    surface += h * rate * (2.5 * spring - 2.5 * turn);
+    largest = std::max(largest, std::abs(slip));
+    if (!(largest < 1e100)) break;
+  }
+  return largest;
+}
+
+TEST(StabilityLimit, OfASpringAgainstRollingIsThatOfBothSpringsTogether) {
+  Scene scene = glass_scene({1e3, Restitution{1.0}});  // soft, so that friction is what limits
+  scene.rotation = true;
+  const double k_t = 1e6, rate = k_t / sphere_mass(2000.0, 0.1);
+  add_sphere(scene, {0, 0, 0.05}, {0, 0, -1});
+  add_floor(scene);
+  const auto limit_with = [&](const RollingLaw& rolling) {
+    scene.contacts.set(0, 0,
+                       ContactLaws{LinearNormal{1e3, Restitution{1.0}}, HistoryFriction{0.3, k_t, 0.0},
+                                   NoCohesion{}, rolling});
+    return stability_limit(scene).step;
+  };
+  const double limit = limit_with(SpringRolling{0.1});
+  EXPECT_LT(growth_of_roll(rate, 0.999 * limit), 100.0);
+  EXPECT_GT(growth_of_roll(rate, 1.001 * limit), 1e50);
+  EXPECT_NEAR(limit_with(ConstantTorqueRolling{0.1}) / limit_with(NoRolling{}), 1.0, 1e-15);
+  EXPECT_NEAR(limit_with(NoRolling{}), 2.0 / std::sqrt(3.5 * rate), 1e-12);
+}
+
 TEST(CreepLimit, IsTwoMassesOverStiffnessTimesCollisionTime) {
   const double m = 1.047, k = 2e5, k_f = 1e5, t_c = M_PI * std::sqrt(m / k);
   const LinearNormal normal{k, Restitution{0.8}};

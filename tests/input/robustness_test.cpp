@@ -23,7 +23,7 @@ std::string text_of(const std::filesystem::path& file) {
 }
 
 /// Small limits: a flipped digit may ask for anything, and is to be refused rather than served.
-constexpr ReadOptions modest{.force = false, .most_scenes = 10000, .most_particles = 30000};
+constexpr ReadOptions modest{.force = false, .most_scenes = 10000, .most_particles = 8000};
 
 void expect_read_or_refused(const std::string& text, const std::filesystem::path& name) {
   try {
