@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 
@@ -105,14 +106,37 @@ TEST_P(ZonedBits, DoNotDependOnTheNumberOfThreads) {
 class HistoryBits : public ::testing::TestWithParam<Precision> {};
 
 TEST_P(HistoryBits, DoNotDependOnTheSkinNorOnThePath) {
-  for (const char* name : {"turning_liggghts", "turning_periodic"}) {
-    const Scene scene = varied_scene(name, 8);
+  for (const char* name : {"turning_liggghts", "turning_periodic", "drum", "paddle"}) {
+    Scene scene = varied_scene(name, 8);
+    scene.run.order = SumOrder::canonical;
     const std::uint64_t usual = digest_of(with_path(GetParam(), Path::small), scene);
     for (const double skin : {0.0, 0.01, 0.05}) {
       EngineOptions options = with_path(GetParam(), Path::zoned);
       options.skin = skin;
       EXPECT_EQ(digest_of(options, scene), usual) << name << " with skin " << skin;
     }
+  }
+}
+
+/// Bodies that touch from the start, go through a face together and are listed anew on the way.
+TEST_P(HistoryBits, OutliveAFaceWithEverySkin) {
+  Scene scene = varied_scene("paddle", 8);
+  scene.run.order = SumOrder::canonical;
+  scene.walls.clear();
+  for (Particle& p : scene.particles) p.velocity += Vec3(20.0, 11.0, -17.0);
+  const std::uint64_t usual = digest_of(with_path(GetParam(), Path::small), scene);
+  for (const double skin : {0.0, 0.01, 0.05}) {
+    EngineOptions options = with_path(GetParam(), Path::zoned);
+    options.skin = skin;
+    OpenClEngine engine(options);
+    const auto run = engine.start(scene, {});
+    run->advance(varied_steps);
+    EXPECT_EQ(run->digest(), usual) << "skin " << skin;
+    EXPECT_GT(run->counters().list_rebuilds, skin > 0.02 ? 2 : 5) << "skin " << skin;
+    const State state = run->state();
+    const bool wound = std::any_of(state.contacts.begin(), state.contacts.end(),
+                                   [](const ContactMemory& m) { return m.rolling_torque.norm() > 0.0; });
+    EXPECT_TRUE(wound);
   }
 }
 

@@ -53,8 +53,14 @@ TEST_P(LedgerOf, EnergyBalances) {
   scene.run.step /= 4;
   const Observations o = seen(scene);
   const double kinetic = o.initial_ledger->kinetic;
-  // The integrator's own error; it is 2 % at a quarter of these steps per contact.
-  EXPECT_LE(std::abs(o.final_ledger->balance() - o.initial_ledger->balance()), 0.01 * kinetic);
+  const double error = std::abs(o.final_ledger->balance() - o.initial_ledger->balance()) / kinetic;
+  RecordProperty("relative_error", ::testing::PrintToString(error));
+  // Work is booked over the whole kick, so all that is left is how the integrator follows the springs.
+  // Verlet, at 512 steps a contact: a part of (ω h)² = 4e-5 of what springs hold at the end. The trapezoid's
+  // energy grows in first order with every contact.
+  const bool first_order = scene.run.integrator == Integrator::euler_trapezoid ||
+                           scene.run.integrator == Integrator::euler_trapezoid_implicit_drag;
+  EXPECT_LE(error, first_order ? 0.01 : 1e-5);
   EXPECT_GT(o.final_ledger->dissipated_normal, 0.05 * kinetic);
 }
 
@@ -64,7 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::Values("boxed", "damped_friction", "fixed", "sticky", "implicit_drag",
                                          "leapfrog_verlet", "velocity_verlet", "rotating_gravity", "history",
                                          "turning_lammps", "turning_liggghts", "turning_damped", "hertz",
-                                         "hertz_and_springs", "turning_in_rectangles")),
+                                         "hertz_and_springs", "turning_in_rectangles", "drum", "paddle",
+                                         "rolling_steadily")),
     [](const ::testing::TestParamInfo<Case>& param) {
       return std::string(name_of(std::get<0>(param.param))) + "_" + std::get<1>(param.param);
     });

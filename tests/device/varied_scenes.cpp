@@ -7,6 +7,7 @@
 #include <random>
 
 #include "scenes.hpp"
+#include "varied_walls.hpp"
 
 namespace grainproof::opencl::testing {
 namespace {
@@ -256,6 +257,12 @@ const std::map<std::string, Maker>& makers() {
       {"turning_in_rectangles", in_rough_rectangles},
       {"hertz", of_hertz},
       {"hertz_and_springs", of_hertz_and_springs},
+      {"drum", [](int n) { return in_a_drum(turning(n, liggghts)); }},
+      {"paddle", [](int n) { return swept_by_a_paddle(turning_across_faces(n)); }},
+      {"rolling_steadily",
+       [](int n) {
+         return rolling_steadily(turning(n, DampedFriction{0.5, 1e5}, Integrator::leapfrog_verlet));
+       }},
   };
   return table;
 }
