@@ -19,7 +19,7 @@ struct Row {
   bool of_periods = false;  ///< solves periodic domains by itself
 };
 
-constexpr std::array<Row, 17> table{{
+constexpr std::array<Row, 18> table{{
     {"drag", drag},
     {"free_fall", free_fall},
     {"normal_collision", normal_collision},
@@ -36,6 +36,7 @@ constexpr std::array<Row, 17> table{{
     {"stacked", stacked},
     {"shaken", shaken},
     {"drum", drum},
+    {"turntable", turntable},
     {"haff", haff, true},
 }};
 

@@ -36,5 +36,6 @@ Solution shaken(const Scene& scene, double until);
 Solution sliding(const Scene& scene, double until);
 Solution stacked(const Scene& scene, double until);
 Solution stick_slip(const Scene& scene, double until);
+Solution turntable(const Scene& scene, double until);
 
 }  // namespace grainproof::analytic

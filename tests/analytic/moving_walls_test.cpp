@@ -117,6 +117,66 @@ Scene drum_scene(double rate) {
   return scene;
 }
 
+Scene turntable_scene(double rate) {
+  Scene scene = glass_scene();
+  scene.rotation = true;
+  scene.contacts.set(0, 0, ContactLaws{LinearNormal{1e5, Restitution{0.8}}, HistoryFriction{mu, 1e5, 0.3}});
+  scene.gravity = ConstantGravity{{0, 0, -g}};
+  scene.walls.push_back({"table", 0, Plane{{0.02, 0.0, 0.0}, Vec3::UnitZ()}, Rotating{rate}});
+  add_sphere(scene, {0.22, 0.0, 0.05 + resting_gap()}, {0.1, 0.3, 0.0});
+  // No slip: v - r w x n is what the table does under the sphere, (0, 0.2 rate).
+  const Vec3 surface = scene.particles[0].velocity - Vec3(0.0, 0.2 * rate, 0.0);
+  scene.particles[0].angular_velocity = Vec3::UnitZ().cross(surface) / 0.05 + Vec3(0.0, 0.0, 7.0);
+  scene.run.end = 1.0;
+  scene.run.sample_times = {0.0, 0.25, 1.0};
+  return scene;
+}
+
+TEST(Turntable, AgreesWithAnIntegration) {
+  const double rate = 3.0;
+  const Scene scene = turntable_scene(rate);
+  const long double mass = sphere_mass(2000.0, 0.1);
+  const long double eta = 0.3 * damping({1e5, Restitution{0.8}}, static_cast<double>(mass));
+  // x, y, u, v, spin about x, about y, spring along x, along y.
+  const auto rates = [&](long double, const std::array<long double, 8>& y) {
+    const long double slip_x = y[2] - 0.05L * y[5] + rate * y[1];
+    const long double slip_y = y[3] + 0.05L * y[4] - rate * (y[0] - 0.02L);
+    const long double fx = -1e5L * y[6] - eta * slip_x, fy = -1e5L * y[7] - eta * slip_y;
+    const long double inertia = 0.4L * mass * 0.0025L;
+    return std::array<long double, 8>{
+        y[2], y[3], fx / mass, fy / mass, 0.05L * fy / inertia, -0.05L * fx / inertia, slip_x, slip_y};
+  };
+  const Particle& p = scene.particles[0];
+  for (const Frame& frame : seen_by("turntable", scene).frames) {
+    const auto exact = integrated<8>({p.position.x(), p.position.y(), p.velocity.x(), p.velocity.y(),
+                                      p.angular_velocity.x(), p.angular_velocity.y(), 0.0L, 0.0L},
+                                     frame.time, 60000, rates);
+    for (int axis : {0, 1}) {
+      EXPECT_NEAR(frame.position[0][axis], static_cast<double>(exact[axis]), 1e-11);
+      EXPECT_NEAR(frame.velocity[0][axis], static_cast<double>(exact[axis + 2]), 1e-10);
+      EXPECT_NEAR(frame.angular_velocity[0][axis], static_cast<double>(exact[axis + 4]), 1e-9);
+    }
+    EXPECT_EQ(frame.angular_velocity[0].z(), 7.0);
+  }
+}
+
+/// On a stiff spring the sphere circles at 2/7 of the table's rate, whatever its size: walls.9.
+TEST(Turntable, MakesARollingSphereCircleAtTwoSeventhsOfItsRate) {
+  const Scene scene = turntable_scene(3.0);
+  const Frame last = seen_by("turntable", scene).frames.back();
+  const Vec3 turned = Eigen::AngleAxisd(2.0 / 7.0 * 3.0, Vec3::UnitZ()) * scene.particles[0].velocity;
+  EXPECT_LE((last.velocity[0] - turned).norm(), 1e-3 * turned.norm());
+  EXPECT_GT(std::abs(last.velocity[0].y()), 0.1);
+}
+
+TEST(Turntable, IsRefusedWhereItSlides) {
+  Scene scene = turntable_scene(3.0);
+  scene.particles[0].angular_velocity = Vec3::Zero();
+  EXPECT_NE(why("turntable", scene).find("limit"), std::string::npos);
+  scene.rotation = false;
+  EXPECT_NE(why("turntable", scene).find("nothing turns"), std::string::npos);
+}
+
 TEST(Drum, HoldsASphereAtTheAngleOfFrictionAndSpinsItUp) {
   for (const double rate : {6.0, -6.0}) {
     const Scene scene = drum_scene(rate);
