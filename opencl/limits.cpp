@@ -37,6 +37,35 @@ Support laws_complete(const Scene& scene) {
   return {};
 }
 
+/// What a scene may ask for and no kernel does yet.
+Support everything_built(const Scene& scene) {
+  for (const Wall& wall : scene.walls) {
+    if (std::holds_alternative<Cylinder>(wall.shape)) return Support::no("cylinder walls are not built yet");
+    if (!std::holds_alternative<Still>(wall.motion)) return Support::no("moving walls are not built yet");
+  }
+  if (scene.orientation != OrientationUpdate::none) return Support::no("orientations are not built yet");
+  if (!scene.remembered.empty()) return Support::no("contacts that remember at the start are not built yet");
+  for (std::size_t a = 0; a < scene.materials.size(); ++a)
+    for (std::size_t b = 0; b < scene.materials.size(); ++b) {
+      if (!scene.contacts.has(a, b)) continue;
+      const ContactLaws& laws = scene.contacts.at(a, b);
+      if (!std::holds_alternative<NoRolling>(laws.rolling))
+        return Support::no("rolling resistance is not built yet");
+      const auto* history = std::get_if<HistoryFriction>(&laws.friction);
+      if (history != nullptr && history->memory == SpringMemory::force)
+        return Support::no("springs that keep their force are not built yet");
+    }
+  return {};
+}
+
+/// A mass without bounds that turns has no meaning in the equations of motion.
+Support fixed_do_not_spin(const Scene& scene) {
+  for (const Particle& p : scene.particles)
+    if (p.fixed && scene.rotation && !p.angular_velocity.isZero(0.0))
+      return Support::no("particle " + std::to_string(p.id) + " is fixed and spins");
+  return {};
+}
+
 }  // namespace
 
 Support within_limits(const Scene& scene, Precision precision) {
@@ -52,6 +81,8 @@ Support within_limits(const Scene& scene, Precision precision) {
     if (precision == Precision::single_precision && !inside(central->centre, scene.domain))
       return Support::no(
           "the centre of gravity is outside the domain, by which single precision measures positions");
+  if (const Support built = everything_built(scene); !built) return built;
+  if (const Support still = fixed_do_not_spin(scene); !still) return still;
   if (const Support wide = periodic_box_wide_enough(scene, reach); !wide) return wide;
   return laws_complete(scene);
 }

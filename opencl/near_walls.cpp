@@ -48,10 +48,9 @@ NearWalls near_walls(const Scene& scene) {
     const auto index = static_cast<std::int32_t>(i);
     if (const auto* plane = std::get_if<Plane>(&wall.shape)) {
       if (can_touch(*plane, scene.domain, reach)) near.planes.push_back({*plane, wall.material, index});
-    } else {
-      const auto& rectangle = std::get<Rectangle>(wall.shape);
-      if (can_touch(rectangle, scene.domain, reach))
-        near.rectangles.push_back({clipped(rectangle, scene.domain, reach), wall.material, index});
+    } else if (const auto* rectangle = std::get_if<Rectangle>(&wall.shape)) {
+      if (can_touch(*rectangle, scene.domain, reach))
+        near.rectangles.push_back({clipped(*rectangle, scene.domain, reach), wall.material, index});
     }
   }
   return near;

@@ -29,6 +29,10 @@ struct DampingOf {
 
   MassLaw operator()(const Damping& given) const { return {given.value, 0.0}; }
 
+  MassLaw operator()(const DampingRatio& share) const {
+    return {0.0, 2.0 * share.value * std::sqrt(stiffness)};
+  }
+
   MassLaw operator()(const Restitution& wanted) const {
     if (no_tension) return {0.0, 2.0 * damping_ratio_without_tension(wanted.value) * std::sqrt(stiffness)};
     if (wanted.value == 0.0) return {0.0, 2.0 * std::sqrt(stiffness)};
@@ -136,10 +140,13 @@ PairCoefficients coefficients_of(const Scene& scene, std::size_t a, std::size_t 
   return c;
 }
 
-// docs/laws/hertz.md: 2 β sqrt(5/6) sqrt(m k_n), k_n = 2 E* sqrt(R* δ).
+// docs/laws/hertz.md: 2 β sqrt(5/6) sqrt(m k_n) or 2 γ sqrt(m k_n), k_n = 2 E* sqrt(R* δ).
 MassLaw damping_of(const HertzNormal& law, double youngs_modulus) {
+  if (const auto* share = std::get_if<DampingRatio>(&law.dissipation))
+    return {0.0, 2.0 * share->value * std::sqrt(2.0 * youngs_modulus)};
   const auto* wanted = std::get_if<Restitution>(&law.dissipation);
-  if (wanted == nullptr) throw InputRefused("a Hertz contact takes its dashpot from a restitution");
+  if (wanted == nullptr)
+    throw InputRefused("a Hertz contact takes its dashpot from a restitution or a damping ratio");
   if (!(wanted->value > 0.0))
     throw InputRefused("restitution 0 in a Hertz contact, which then never ends; expected one above 0");
   const double log_e = std::log(wanted->value);

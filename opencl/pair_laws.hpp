@@ -44,7 +44,7 @@ PairCoefficients coefficients_of(const Scene& scene, std::size_t a, std::size_t 
 /// Dashpot of a normal law. Throws InputRefused for a restitution that a clamped contact cannot have.
 MassLaw damping_of(const LinearNormal& law);
 
-/// Of a Hertz contact, times sqrt(sqrt(R* δ)). Throws InputRefused unless it is given by a restitution.
+/// Of a Hertz contact, times sqrt(sqrt(R* δ)). Throws InputRefused where it is given in N s/m.
 MassLaw damping_of(const HertzNormal& law, double youngs_modulus);
 
 /// E* and G* of two materials, Pa. docs/laws/hertz.md

@@ -138,6 +138,17 @@ TEST(HertzCoefficients, ModuliAndTangentialLawAreMindlins) {
                    2 * std::sqrt(5.0 / 6.0) * beta * std::sqrt(2.0 * 8 * moduli.shear));
 }
 
+TEST(HertzCoefficients, ADampingRatioIsAShareOfTheCriticalDashpotOfTheMoment) {
+  Scene scene = impact_scene(impacts[0]);
+  scene.contacts.set(0, 0, {HertzNormal{DampingRatio{0.3}}, HistoryFriction{0.3, 0.0, 0.5}, NoCohesion{}});
+  const EffectiveModuli moduli = effective_moduli(scene.materials[0], scene.materials[0]);
+  const PairCoefficients c = coefficients_of(scene, 0, 0);
+  EXPECT_DOUBLE_EQ(c.damping.at(2.0), 2 * 0.3 * std::sqrt(2.0 * 2 * moduli.youngs));
+  EXPECT_DOUBLE_EQ(c.history.damping.at(2.0), 0.5 * 2 * 0.3 * std::sqrt(2.0 * 8 * moduli.shear));
+  scene.contacts.set(0, 0, {LinearNormal{stiffness, DampingRatio{0.3}}, Frictionless{}, NoCohesion{}});
+  EXPECT_DOUBLE_EQ(coefficients_of(scene, 0, 0).damping.at(2.0), 2 * 0.3 * std::sqrt(2.0 * stiffness));
+}
+
 TEST(HertzCoefficients, RefusesWhatItCannotTell) {
   const OpenClEngine engine(options_for(Precision::double_precision));
   Scene scene = impact_scene(impacts[0]);

@@ -199,7 +199,11 @@ Scene of_hertz_and_springs(int layers) {
   scene.contacts.set(0, 0, {HertzNormal{Restitution{0.8}}, DynamicFriction{0.3}, NoCohesion{}});
   scene.contacts.set(1, 1, {HertzNormal{Restitution{0.1}}, liggghts, LinearCohesion{1e3}});
   scene.contacts.set(0, 1, {LinearNormal{1e5, Restitution{0.5}, true}, lammps, NoCohesion{}});
-  for (Particle& p : scene.particles) p.fixed = p.id % 7 == 0;
+  for (Particle& p : scene.particles)
+    if (p.id % 7 == 0) {
+      p.fixed = true;
+      p.angular_velocity = Vec3::Zero();
+    }
   return scene;
 }
 
