@@ -3,7 +3,7 @@
 // Writes the list of a group down, and carries springs over from the list before.
 typedef struct {
   const global int4* heads;
-  const global int* list;
+  const global uint* list;
   const global real* springs;
   const global int* strained;
   const global int* members;  // where a particle of now was then
@@ -11,7 +11,7 @@ typedef struct {
 
 typedef struct {
   global int4* heads;
-  global int* list;
+  global uint* list;
   global real* springs;
   global int* strained;
 } Latter;
@@ -34,8 +34,9 @@ INLINE void put_spring(Latter l, int slot, int lane, real4 spring) {
 INLINE real4 former_spring(Former f, int old, int old_partner) {
   const int4 head = f.heads[old / GROUP];
   const int lane = old % GROUP;
+  const uint wanted = (uint)old_partner * UNITS_A_RECORD;
   for (int k = head.x + head.w; k < head.x + head.y; ++k)
-    if (may_be_strained(f.strained, k) && f.list[k * GROUP + lane] == old_partner) return spring_in(f.springs, k, lane);
+    if (may_be_strained(f.strained, k) && f.list[(size_t)k * GROUP + lane] == wanted) return spring_in(f.springs, k, lane);
   return (real4)(0);
 }
 
@@ -50,8 +51,9 @@ INLINE void carry_group(Former f, Latter l, int4 head, int first, int count, con
   for (int k = head.x; k < head.x + head.y; ++k) clear_springs(l.springs, l.strained, k);
   for (int lane = 0; lane < count; ++lane) {
     const int old = f.members[first + lane];
-    for (int wall = 0, k = head.x; wall < FACE_BIT; ++wall)
-      if (head.z >> wall & 1) put_spring(l, k++, lane, former_wall_spring(f, old, wall));
+    int k = head.x;
+    for (int walls = head.z & ~(1 << FACE_BIT); walls != 0; walls &= walls - 1)
+      put_spring(l, k++, lane, former_wall_spring(f, old, lowest_bit((uint)walls)));
     for (int k = 0; k < found->near_count[lane]; ++k) {
       const int partner = f.members[found->partners[lane * MOST_PARTNERS + k]];
       put_spring(l, head.x + head.w + k, lane, former_spring(f, old, partner));
@@ -86,12 +88,13 @@ INLINE int walls_near(const global DenseBox* box, const global DensePlane* plane
 
 INLINE void write_rows(Latter l, int4 head, int first, const Found* found) {
   for (int k = 0; k < head.y; ++k) {
-    global int* row = l.list + (size_t)(head.x + k) * GROUP;
+    global uint* row = l.list + (size_t)(head.x + k) * GROUP;
     const int place = k - head.w;
     for (int lane = 0; lane < GROUP; ++lane) {
       const int near = found->near_count[lane], all = near + found->far_count[lane];
       const int at = place < near ? place : MOST_PARTNERS - 1 - (place - near);
-      row[lane] = place >= 0 && place < all ? found->partners[lane * MOST_PARTNERS + at] : first + lane;
+      const int partner = place >= 0 && place < all ? found->partners[lane * MOST_PARTNERS + at] : first + lane;
+      row[lane] = (uint)partner * UNITS_A_RECORD;
     }
   }
 }
@@ -101,8 +104,8 @@ INLINE void write_rows(Latter l, int4 head, int first, const Found* found) {
 kernel void dense_list(const global DenseBox* box, const global DensePlane* planes, const global real4* records,
                        const global int* cells, const global uint* coarse, const global int* zones_of,
                        const global int* zone_starts, const global int* members, const global int4* old_heads,
-                       const global int* old_list, const global real* old_springs, const global int* old_strained,
-                       global int4* heads, global int* list, global real* springs, global int* strained,
+                       const global uint* old_list, const global real* old_springs, const global int* old_strained,
+                       global int4* heads, global uint* list, global real* springs, global int* strained,
                        global int* totals, const int padded, const int room) {
   const int group = get_global_id(0), first = group * GROUP;
   const global uint* x = coarse + first;

@@ -11,7 +11,7 @@ typedef struct {
   const global phase* built_at;  // a group's 3 rows: phases when the list was built
   const global int* cells;       // of then, 10 bits an axis
   const global int4* heads;      // of a group: first slot, slots, walls near (bits), slots of walls
-  const global int* list;        // particles; a body's own index where it has no partner
+  const global uint* list;       // of particles, times UNITS_A_RECORD; the body itself where it has no partner
   const global real* springs;    // 3 rows a slot
   global real* new_springs;
   const global int* strained;    // of a slot: whether a spring in it may be other than zero
@@ -22,7 +22,7 @@ typedef struct {
 #define DENSE_PARAMETERS                                                                                 \
   const global DenseBox *box, const global PairLaw *laws, const global DensePlane *planes,               \
       const global real4 *records, global real *kept, const global phase *built_at,                      \
-      const global int *cells, const global int4 *heads, const global int *list, const global real *springs, \
+      const global int *cells, const global int4 *heads, const global uint *list, const global real *springs, \
       global real *new_springs, const global int *strained, global int *new_strained
 #define DENSE_THAT(keeps)                                                                               \
   {box, laws, planes, records, kept, built_at, cells, heads, list, springs, new_springs, strained, new_strained, \
@@ -94,22 +94,24 @@ INLINE void release_springs(Dense d, int slot, int lane) {
 
 // Sums over the partners in one slot. Tells whether one overlaps too much.
 INLINE bool meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, real duration) {
-  const global int* entry = d.list + (size_t)slot * GROUP + b.lane;
+  const global uint* entry = d.list + (size_t)slot * GROUP + b.lane;
   const Quarter at = fetch(d.records, entry, 0);
   const phases x = b.x - phases_of(at.x), y = b.y - phases_of(at.y), z = b.z - phases_of(at.z);
+  const Vectors apart = vectors(to_reals(x) * d.box->metre.x, to_reals(y) * d.box->metre.y, to_reals(z) * d.box->metre.z);
+  const reals square = inner(apart, apart);
   const phases sum_phase = b.radius_phase + phases_of(at.w);
   const lengths sum = VARIED ? length_in(sum_phase, d.box->quantum.w) : (lengths)(d.box->alike.x);
-  const reals gap = square_gap(x, y, z, d.box->quantum, sum);
+  const reals sigma = rounded(sum);
   Meeting m;
-  m.touching = (gap > 0) & different(load_indices(entry), b.index);
+  m.touching = (square < sigma * sigma * d.box->limits.z) & different(load_entries(entry), b.index * UNITS_A_RECORD);
   if (!any_of(m.touching)) {
     release_springs(d, slot, b.lane);
     return false;
   }
   const Quarter motion = fetch(d.records, entry, 1);
-  const Vectors apart = vectors(to_reals(x) * d.box->metre.x, to_reals(y) * d.box->metre.y, to_reals(z) * d.box->metre.z);
-  const reals square = inner(apart, apart);
-  const reals distance = roots_of(m.touching ? square : (reals)(1)), reach = distance + rounded(sum);
+  const reals gap = square_gap(x, y, z, d.box->quantum, sum);
+  m.touching = m.touching & (gap > 0);
+  const reals distance = roots_of(m.touching ? square : (reals)(1)), reach = distance + sigma;
   const reals inverse = 1 / (distance * reach);
   m.overlap = m.touching ? gap * distance * inverse : (reals)(0);
   m.normal = scaled(apart, reach * inverse);

@@ -31,37 +31,46 @@ INLINE void note(Found* found, int lane, int partner, bool near) {
   found->far_count[lane] = far_count + (near ? 0 : 1);
 }
 
-INLINE void note_all(Found* found, uint hits, uint near, int partner) {
-  while (hits) {
-    const int lane = 31 - (int)clz(hits & -hits);
-    note(found, lane, partner, near >> lane & 1);
-    hits &= hits - 1;
-  }
+INLINE int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
+
+// Of the candidates from `first` on, those whose bits are set in a particle's masks.
+INLINE void note_all(Found* found, Seekers s, masks reached, masks close, int first) {
+  uint hits[GROUP], near[GROUP];
+  store_masks(hits, reached);
+  store_masks(near, close);
+  for (int lane = 0; lane < GROUP; ++lane)
+    for (uint left = hits[lane]; left; left &= left - 1) {
+      const int bit = lowest_bit(left), partner = first + bit;
+      if (partner != s.first + lane) note(found, lane, partner, near[lane] >> bit & 1);
+    }
 }
 
-// Among particles from … to − 1, for the particles of the group whose bits are in `seeking`.
-INLINE void seek_among(Seekers s, int from, int to, uint seeking, Found* found) {
+// Among particles from … to − 1, for the particles of the group that seek: 32 candidates, then what was found.
+INLINE void seek_among(Seekers s, int from, int to, masks seeking, Found* found) {
   const global uint *x = s.coarse, *y = x + s.padded, *z = y + s.padded;
   const global float* radii = (const global float*)(z + s.padded);
   const float4 metre = s.box->coarse_metre;
   const float4 near = s.box->near;
-  for (int j = from; j < to; ++j) {
-    const floats dx = metres_between(s.x, x[j]) * metre.x, dy = metres_between(s.y, y[j]) * metre.y,
-                 dz = metres_between(s.z, z[j]) * metre.z;
-    const floats square = fma(dx, dx, fma(dy, dy, dz * dz));
-    const floats reach = VARIED ? s.radius + (radii[j] + metre.w) : (floats)(near.y);
-    uint hits = bits_of_floats(square < reach * reach) & seeking;
-    const uint self = (uint)(j - s.first);
-    if (self < GROUP) hits &= ~(1u << self);
-    if (hits) {
+  for (int first = from; first < to; first += 32) {
+    const int last = min(first + 32, to);
+    masks reached = (masks)(0), close = (masks)(0);
+    for (int j = first; j < last; ++j) {
+      const floats dx = metres_between(s.x, x[j]) * metre.x, dy = metres_between(s.y, y[j]) * metre.y,
+                   dz = metres_between(s.z, z[j]) * metre.z;
+      const floats square = fma(dx, dx, fma(dy, dy, dz * dz));
+      const floats reach = VARIED ? s.radius + (radii[j] + metre.w) : (floats)(near.y);
       const floats near_reach = VARIED ? reach - (metre.w - near.x) : (floats)(near.z);
-      note_all(found, hits, bits_of_floats(square < near_reach * near_reach), j);
+      const masks bit = (masks)(1u << (j - first));
+      reached |= as_masks(square < reach * reach) & bit;
+      close |= as_masks(square < near_reach * near_reach) & bit;
     }
+    reached &= seeking;
+    if (any_of(as_marks(reached))) note_all(found, s, reached, close, first);
   }
 }
 
 // The zones from … to of a row, and those beyond its ends where it is periodic.
-INLINE void seek_in_row(Seekers s, const global int* zone_starts, int row, int from, int to, uint seeking, Found* found) {
+INLINE void seek_in_row(Seekers s, const global int* zone_starts, int row, int from, int to, masks seeking, Found* found) {
   const int zones = s.box->zones.x;
   const int low = max(from - 1, 0), high = min(to + 1, zones - 1);
   const global int* starts = zone_starts + row * zones;
@@ -80,7 +89,7 @@ INLINE int row_to_visit(int zone, int k, int zones, int periodic) {
   return periodic ? (z < 0 ? z + zones : z - zones) : -1;
 }
 
-INLINE void seek_around(Seekers s, const global int* zone_starts, int row, int from, int to, uint seeking, Found* found) {
+INLINE void seek_around(Seekers s, const global int* zone_starts, int row, int from, int to, masks seeking, Found* found) {
   const int4 zones = s.box->zones, periodic = s.box->periodic;
   for (int k = 0; k < 9; ++k) {
     const int y = row_to_visit(row % zones.y, k % 3, zones.y, periodic.y);
@@ -94,8 +103,8 @@ INLINE void seek_for_group(Seekers s, const global int* zone_starts, const globa
   const int count = min(GROUP, s.box->counts.x - s.first), across = s.box->zones.x;
   for (int from = 0, to; from < count; from = to) {
     const int row = zones_of[s.first + from] / across;
-    uint seeking = 0;
-    for (to = from; to < count && zones_of[s.first + to] / across == row; ++to) seeking |= 1u << to;
+    for (to = from; to < count && zones_of[s.first + to] / across == row;) ++to;
+    const masks seeking = masks_of_lanes(from, to);
     seek_around(s, zone_starts, row, zones_of[s.first + from] % across, zones_of[s.first + to - 1] % across, seeking, found);
   }
 }

@@ -24,6 +24,7 @@ INLINE reals load_reals(const global real* from) { return vload16(0, from); }
 INLINE void store_reals(global real* to, reals values) { vstore16(values, 0, to); }
 INLINE phases load_phases(const global phase* from) { return vload16(0, from); }
 INLINE indices load_indices(const global int* from) { return vload16(0, from); }
+INLINE indices load_entries(const global uint* from) { return as_int16(vload16(0, from)); }
 INLINE coarses load_coarses(const global uint* from) { return vload16(0, from); }
 INLINE floats load_floats(const global float* from) { return vload16(0, from); }
 INLINE floats metres_between(coarses a, uint b) { return convert_float16(as_int16(a - b)); }
@@ -39,15 +40,15 @@ INLINE indices lanes_from(int first) {
 }
 INLINE flags below(indices a, int b) { return a < b; }
 
-INLINE uint bits_of(flags f) {
-  const int16 b = f & (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
-  const int8 c = b.lo | b.hi;
-  const int4 d = c.lo | c.hi;
-  const int2 e = d.lo | d.hi;
-  return (uint)(e.x | e.y);
+// 32 yes or no for every particle, and particles that are meant.
+typedef uint16 masks;
+INLINE masks as_masks(int16 f) { return as_uint16(f); }
+INLINE int16 as_marks(masks m) { return as_int16(m); }
+INLINE void store_masks(private uint* to, masks m) { vstore16(m, 0, to); }
+INLINE masks masks_of_lanes(int from, int to) {
+  const int16 lanes = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  return as_uint16((lanes >= from) & (lanes < to));
 }
-
-INLINE uint bits_of_floats(int16 f) { return bits_of(f); }
 
 INLINE bool any_of(flags f) {
   const int8 c = f.lo | f.hi;
@@ -71,8 +72,11 @@ INLINE Quarter transposed(float16 a, float16 b, float16 c, float16 d) {
   return q;
 }
 
-#define RECORD_OF(k) records[entry[k] * QUARTERS + quarter]
-INLINE Quarter fetch(const global real4* records, const global int* entry, int quarter) {
+// A list says where a record is in units of eight bytes, which an address can be scaled by for nothing.
+#define UNITS_A_RECORD (QUARTERS * 2)
+#define RECORD_OF(k) *(const global real4*)(units + entry[k])
+INLINE Quarter fetch(const global real4* records, const global uint* entry, int quarter) {
+  const global ulong* units = (const global ulong*)(records + quarter);
   return transposed((float16)(RECORD_OF(0), RECORD_OF(4), RECORD_OF(8), RECORD_OF(12)),
                     (float16)(RECORD_OF(1), RECORD_OF(5), RECORD_OF(9), RECORD_OF(13)),
                     (float16)(RECORD_OF(2), RECORD_OF(6), RECORD_OF(10), RECORD_OF(14)),

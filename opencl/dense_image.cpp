@@ -72,7 +72,7 @@ class DenseImager {
     b.drift = four_of<P>(quantum().cwiseInverse() * step);
     b.gravity = four_of<P>(std::get<ConstantGravity>(scene_.gravity).acceleration);
     b.time = four_of<P>({step, step / 2, 0.0});
-    b.limits = four_of<P>({scene_.run.overlap_limit, 0.25 * skin * skin, 0.0});
+    b.limits = four_of<P>({scene_.run.overlap_limit, 0.25 * skin * skin, 1.0 + 1e-5});
     b.body = four_of<P>({radius, 1.0 / mass, 1.0 / inertia_of(p, scene_)}, std::sqrt(mass / 2));
     set_search(b, 2 * radius);
     for (int axis = 0; axis < 3; ++axis) {

@@ -116,6 +116,7 @@ DenseLists DenseRun::read_lists() {
   l.ids.resize(image_.padded);
   workshop_->read(world_.heads, std::as_writable_bytes(std::span(l.heads)));
   if (!l.entries.empty()) workshop_->read(world_.list, std::as_writable_bytes(std::span(l.entries)));
+  for (cl_int& entry : l.entries) entry /= 2 * quarters_of(options_);  // UNITS_A_RECORD
   workshop_->read(world_.ids, std::as_writable_bytes(std::span(l.ids)));
   return l;
 }
