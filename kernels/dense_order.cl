@@ -65,28 +65,43 @@ kernel void dense_zone_order(const global int* zone_starts, global int* members,
   sort_few(members + zone_starts[zone], zone_starts[zone + 1] - zone_starts[zone]);
 }
 
-// coarse: four rows of all particles: where each is, and its radius.
-kernel void dense_permute(const global DenseBox* box, const global int* members, const global int* zone_of_particle,
-                          const global real4* records, const global real* kept, const global int* ids,
-                          const global int* cells, global real4* new_records, global real* new_kept, global int* new_ids,
-                          global int* new_cells, global int* new_zones, global phase* built_at, global uint* coarse,
-                          const int padded) {
+// What a search looks at, in order of zones. coarse: four rows of all particles: where each is, and its radius.
+kernel void dense_coarse(const global DenseBox* box, const global int* members, const global int* zone_of_particle,
+                         const global real4* records, const global int* cells, global int* zones_of,
+                         global uint* coarse, const int padded) {
   const int i = get_global_id(0), old = members[i];
+  zones_of[i] = i < box->counts.x ? zone_of_particle[old] : 0;
+  const phase4 p = phase4_at(records, old);
+  const int3 cell = cells_in(cells[old]);
+  coarse[i] = coarse_along(cell.x, p.x, box->coarse.x);
+  coarse[padded + i] = coarse_along(cell.y, p.y, box->coarse.y);
+  coarse[2 * padded + i] = coarse_along(cell.z, p.z, box->coarse.z);
+  coarse[3 * padded + i] = as_uint((float)p.w * (float)box->quantum.w);
+}
+
+// order: which of the order of zones stands at a place; members: where that one stood before.
+kernel void dense_permute(const global int* order, const global int* members, const global real4* records,
+                          const global real* kept, const global int* ids, const global int* cells,
+                          global real4* new_records, global real* new_kept, global int* new_ids, global int* new_cells,
+                          global phase* built_at) {
+  const int i = get_global_id(0), old = members[order[i]];
   for (int q = 0; q < QUARTERS; ++q) new_records[i * QUARTERS + q] = records[old * QUARTERS + q];
   const size_t from = (size_t)(old / GROUP) * (KEPT * GROUP) + old % GROUP;
   const size_t to = (size_t)(i / GROUP) * (KEPT * GROUP) + i % GROUP;
   for (int k = 0; k < KEPT; ++k) new_kept[to + k * GROUP] = kept[from + k * GROUP];
   new_ids[i] = ids[old];
   new_cells[i] = cells[old];
-  new_zones[i] = i < box->counts.x ? zone_of_particle[old] : 0;
   const phase4 p = phase4_at(records, old);
   global phase* then = built_at + (size_t)(i / GROUP) * (3 * GROUP) + i % GROUP;
   then[0] = p.x;
   then[GROUP] = p.y;
   then[2 * GROUP] = p.z;
-  const int3 cell = cells_in(cells[old]);
-  coarse[i] = coarse_along(cell.x, p.x, box->coarse.x);
-  coarse[padded + i] = coarse_along(cell.y, p.y, box->coarse.y);
-  coarse[2 * padded + i] = coarse_along(cell.z, p.z, box->coarse.z);
-  coarse[3 * padded + i] = as_uint((float)p.w * (float)box->quantum.w);
+}
+
+// From the order of zones, in which the list was found, to where particles are now.
+kernel void dense_rename(const global int4* heads, const global int* places, global uint* list, const int room) {
+  const int4 head = heads[get_global_id(0)];
+  if (head.x + head.y > room) return;
+  global uint* row = list + (size_t)head.x * GROUP;
+  for (int k = 0; k < head.y * GROUP; ++k) row[k] = (uint)places[row[k]] * UNITS_A_RECORD;
 }

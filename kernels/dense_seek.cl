@@ -1,34 +1,35 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The list of a group: all of its particles at once against one candidate after the other. Those of a row of zones
+// The partners of a group: all of its particles at once against one candidate after the other. Those of a row of zones
 // stand next to each other, so the neighbourhood of a stretch of a row is nine stretches of particles.
 typedef struct {
   const global DenseBox* box;
   const global uint* coarse;  // dense_permute
   int padded;
-  int first;
+  int first;  // of the group, in order of zones
+  int row;    // of the group in `Found`
   coarses x, y, z;
   floats radius;
 } Seekers;
 
-// Partners of every particle of the group: near ones from the front of its row, others from the back.
+// Partners of every particle of a window: near ones from the front of its row, others from the back.
 typedef struct {
-  int near_count[GROUP];
-  int far_count[GROUP];
-  int partners[GROUP * MOST_PARTNERS];
+  int near_count[WINDOW];
+  int far_count[WINDOW];
+  int partners[WINDOW * MOST_PARTNERS];
   int crowded;
 } Found;
 
-INLINE void note(Found* found, int lane, int partner, bool near) {
-  const int near_count = found->near_count[lane], far_count = found->far_count[lane];
+INLINE void note(Found* found, int row, int partner, bool near) {
+  const int near_count = found->near_count[row], far_count = found->far_count[row];
   if (near_count + far_count >= MOST_PARTNERS) {
     found->crowded = 1;
     return;
   }
   const int place = near ? near_count : MOST_PARTNERS - 1 - far_count;
-  found->partners[lane * MOST_PARTNERS + place] = partner;
-  found->near_count[lane] = near_count + (near ? 1 : 0);
-  found->far_count[lane] = far_count + (near ? 0 : 1);
+  found->partners[row * MOST_PARTNERS + place] = partner;
+  found->near_count[row] = near_count + (near ? 1 : 0);
+  found->far_count[row] = far_count + (near ? 0 : 1);
 }
 
 INLINE int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
@@ -41,7 +42,7 @@ INLINE void note_all(Found* found, Seekers s, masks reached, masks close, int fi
   for (int lane = 0; lane < GROUP; ++lane)
     for (uint left = hits[lane]; left; left &= left - 1) {
       const int bit = lowest_bit(left), partner = first + bit;
-      if (partner != s.first + lane) note(found, lane, partner, near[lane] >> bit & 1);
+      if (partner != s.first + lane) note(found, s.row + lane, partner, near[lane] >> bit & 1);
     }
 }
 

@@ -38,6 +38,8 @@ DenseList::DenseList(Workshop& workshop, const DenseImage& image, const DenseOpt
       zone_of_particle_(integers(workshop, padded_)),
       members_(integers(workshop, padded_)),
       zones_of_(integers(workshop, padded_)),
+      order_(integers(workshop, padded_)),
+      places_(integers(workshop, padded_)),
       coarse_(workshop.room(4 * sizeof(cl_uint) * padded_)),
       totals_(integers(workshop, 1)),
       kept_(workshop.room(image.kept.size())),
@@ -51,7 +53,8 @@ DenseList::DenseList(Workshop& workshop, const DenseImage& image, const DenseOpt
 void DenseList::build(DenseWorld& world, Program& program, int turn) {
   if (!scan_) scan_.emplace(workshop_, program, zones_ + 1, work_group_);
   fill_zones(world, program, turn);
-  permute(world, program, turn);
+  workshop_.launch(program, "dense_coarse", {padded_, work_group_}, world.box, members_, zone_of_particle_,
+                   world.records[turn], world.cells, zones_of_, coarse_, static_cast<cl_int>(padded_));
   std::swap(world.heads, old_heads_);
   std::swap(world.list, old_list_);
   std::swap(world.springs, old_springs_);
@@ -71,24 +74,29 @@ void DenseList::fill_zones(DenseWorld& world, Program& program, int turn) {
                    members_, static_cast<cl_int>(zones_));
 }
 
-void DenseList::permute(DenseWorld& world, Program& program, int turn) {
-  workshop_.launch(program, "dense_permute", {padded_, work_group_}, world.box, members_, zone_of_particle_,
-                   world.records[turn], world.kept, world.ids, world.cells, world.records[1 - turn], kept_,
-                   ids_, cells_, zones_of_, world.built_at, coarse_, static_cast<cl_int>(padded_));
+void DenseList::build_again(DenseWorld& world, Program& program, int turn) {
+  find(world, program, turn);
+  if (crowded_) return;
+  workshop_.launch(program, "dense_permute", {padded_, work_group_}, order_, members_, world.records[turn],
+                   world.kept, world.ids, world.cells, world.records[1 - turn], kept_, ids_, cells_,
+                   world.built_at);
+  workshop_.launch(program, "dense_rename", {padded_ / group_, 8}, world.heads, places_, world.list,
+                   static_cast<cl_int>(room_));
   std::swap(world.records[0], world.records[1]);
   std::swap(world.kept, kept_);
   std::swap(world.ids, ids_);
   std::swap(world.cells, cells_);
 }
 
-void DenseList::build_again(DenseWorld& world, Program& program, int turn) {
+void DenseList::find(DenseWorld& world, Program& program, int turn) {
   while (true) {
     std::array<cl_int, 2> totals{};
     workshop_.write(totals_, std::as_bytes(std::span(totals)));
-    workshop_.launch(program, "dense_list", {padded_ / group_, 8}, world.box, world.planes,
+    workshop_.launch(program, "dense_list", {padded_ / window_size, 1}, world.box, world.planes,
                      world.records[turn], world.cells, coarse_, zones_of_, zone_starts_, members_, old_heads_,
                      old_list_, old_springs_, old_strained_, world.heads, world.list, world.springs,
-                     world.strained, totals_, static_cast<cl_int>(padded_), static_cast<cl_int>(room_));
+                     world.strained, order_, places_, totals_, static_cast<cl_int>(padded_),
+                     static_cast<cl_int>(room_));
     workshop_.read(totals_, std::as_writable_bytes(std::span(totals)));
     slots_ = totals[0];
     crowded_ = totals[1] != 0;

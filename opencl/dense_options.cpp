@@ -95,7 +95,6 @@ DenseOptions dense_options(const Scene& scene, Precision precision) {
                         (pair.history.turn == SpringTurn::project ? turn_projects : 0);
   o.varied = std::any_of(scene.particles.begin(), scene.particles.end(),
                          [&](const Particle& p) { return p.fixed || p.diameter != any.diameter; });
-  if (o.varied) o.most_partners = 512;
   return o;
 }
 
@@ -128,7 +127,8 @@ std::string dense_definitions(const DenseOptions& o) {
   return set("PERIODIC_X", 0) + set("PERIODIC_Y", 0) + set("PERIODIC_Z", 0) + set("MANY_MATERIALS", 0) +
          set("FRICTION", o.friction) + set("HISTORY", o.history) + set("ROTATION", o.rotation) +
          set("PLANES", o.planes) + set("VARIED", o.varied) + set("HISTORY_VARIANT", o.history_variant) +
-         set("QUARTERS", quarters_of(o)) + set("MOST_PARTNERS", o.most_partners);
+         set("QUARTERS", quarters_of(o)) + set("MOST_PARTNERS", o.most_partners) +
+         set("WINDOW", window_size);
 }
 
 }  // namespace grainproof::opencl

@@ -37,6 +37,9 @@ constexpr int group_size(Precision precision) {
   return precision == Precision::double_precision ? 8 : 16;
 }
 
+/// Particles in order of zones that are searched for, and then put in order of their counts, together.
+inline constexpr int window_size = 128;
+
 /// Vectors of four that a particle has: place, motion and, where bodies turn, spin.
 constexpr int quarters_of(const DenseOptions& options) {
   return options.rotation ? 3 : 2;

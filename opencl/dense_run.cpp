@@ -49,7 +49,7 @@ DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Preci
       options_(dense_options(scene, precision)),
       grid_(scene, skin),
       image_(make_dense_image(scene, options_, grid_,
-                              items_a_group * static_cast<std::size_t>(group_size(precision)))),
+                              window_size)),
       program_(&workshop_->program(options_)),
       items_{image_.padded / static_cast<std::size_t>(group_size(precision)), items_a_group},
       world_(make_dense_world(*workshop_, image_, options_)),
