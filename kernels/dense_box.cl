@@ -15,6 +15,7 @@ typedef struct {
   real4 time;            // x: step; y: half of it
   real4 limits;          // x: largest overlap, as a fraction of the smaller radius; y: (skin/2)²; z: a little over 1
   real4 body;            // x: radius; y: 1/mass; z: 1/inertia; w: root of the effective mass of two
+  real4 body_units;      // of sums in canonical order. x: of force, N; y: of torque, N m
   float4 coarse_metre;   // m a coarse unit; w: how far the list looks beyond two radii
   float4 near;           // x: how far a pair counts as near beyond two radii; y: largest reach of the list; z: of near
   int4 cells;

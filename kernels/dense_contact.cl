@@ -12,8 +12,10 @@ typedef struct {
 } Meeting;
 
 typedef struct {
-  Vectors force;
-  Vectors torque;
+  Sum force;
+  Sum torque;
+  real force_unit;
+  real torque_unit;
 } Push;
 
 INLINE reals pressing_force(Meeting m, reals separating, PairLaw law) {
@@ -77,10 +79,10 @@ INLINE void push(Push* total, Meeting m, PairLaw law, Vectors* spring, real dura
     if (FRICTION) rubbing = viscous_friction(slip, pressing, law, m.root_mass);
     if (HISTORY && (law.history & REMEMBERS))
       rubbing = less(rubbing, holding_force(spring, slip, m, pressing, law, duration));
-    if (ROTATION) total->torque = plus_scaled(total->torque, outer(m.normal, rubbing), -m.arm);
+    if (ROTATION) add(&total->torque, scaled(outer(m.normal, rubbing), -m.arm), total->torque_unit);
     force = plus_scaled(force, rubbing, (reals)(1));
   }
-  total->force = plus_scaled(total->force, force, (reals)(1));
+  add(&total->force, force, total->force_unit);
 }
 
 INLINE reals arm_of(reals radius, reals overlap, int variant) {

@@ -24,7 +24,7 @@ INLINE bool halts(global int* signals, int step, int item) {
 // Forces and torques at boundary `step`. Springs are stretched but before the first step.
 INLINE Push sum_up(Dense d, Bodies b, int step, global int* signals) {
   const real duration = step > 0 ? d.box->time.x : 0;
-  Push total = {vectors(0, 0, 0), vectors(0, 0, 0)};
+  Push total = {no_sum(), no_sum(), d.box->body_units.x, d.box->body_units.y};
   bool too_deep = meet_pairs(d, &total, b, duration);
   if (PLANES) too_deep |= meet_walls(d, &total, b, duration);
   if (too_deep) atomic_min(signals_after(signals, step) + OVERLAPPED_AT, step);
@@ -33,7 +33,7 @@ INLINE Push sum_up(Dense d, Bodies b, int step, global int* signals) {
 
 INLINE Vectors acceleration_of(Dense d, Bodies b, Push p) {
   const real4 g = d.box->gravity;
-  return plus_scaled(vectors(g.x, g.y, g.z), p.force, b.inverse_mass);
+  return plus_scaled(vectors(g.x, g.y, g.z), total_of(p.force, p.force_unit), b.inverse_mass);
 }
 
 INLINE reals inverse_inertia_of(Dense d, Bodies b) {
@@ -75,7 +75,7 @@ kernel void dense_step(DENSE_PARAMETERS, global real4* moved, global int* signal
   const Push p = sum_up(d, b, step, signals);
   const real kick = step > 0 ? d.box->time.x : d.box->time.y;
   const Vectors change = scaled(acceleration_of(d, b, p), kick);
-  if (ROTATION) b.spin = plus_scaled(b.spin, p.torque, inverse_inertia_of(d, b) * kick);
+  if (ROTATION) b.spin = plus_scaled(b.spin, total_of(p.torque, p.torque_unit), inverse_inertia_of(d, b) * kick);
   global real* own = d.kept + (size_t)b.group * (KEPT * GROUP) + b.lane;
   const real4 drift = d.box->drift;
   b.x = kick_and_move(b.x, &b.velocity.x, own, own + 3 * GROUP, change.x, drift.x, b.moves);
@@ -94,6 +94,6 @@ kernel void dense_report(DENSE_PARAMETERS, global real4* seen, global int* signa
   const Push p = sum_up(d, b, step, signals);
   const real kick = step > 0 ? d.box->time.y : 0;
   b.velocity = chosen(b.moves, plus_scaled(b.velocity, acceleration_of(d, b, p), (reals)(kick)), b.velocity);
-  if (ROTATION) b.spin = plus_scaled(b.spin, p.torque, inverse_inertia_of(d, b) * kick);
+  if (ROTATION) b.spin = plus_scaled(b.spin, total_of(p.torque, p.torque_unit), inverse_inertia_of(d, b) * kick);
   store_bodies(seen, b);
 }

@@ -152,3 +152,7 @@ INLINE void clear_springs(global real* springs, global int* strained, int slot) 
   for (int k = 0; k < 3; ++k) store_reals(springs + ((size_t)slot * 3 + k) * GROUP, 0);
   strained[slot] = 0;
 }
+
+typedef long16 wholes;
+INLINE wholes to_wholes(reals x) { return convert_long16(x); }
+INLINE reals from_wholes(wholes w) { return convert_float16(w); }

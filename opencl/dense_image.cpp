@@ -74,6 +74,7 @@ class DenseImager {
     b.time = four_of<P>({step, step / 2, 0.0});
     b.limits = four_of<P>({scene_.run.overlap_limit, 0.25 * skin * skin, 1.0 + 1e-5});
     b.body = four_of<P>({radius, 1.0 / mass, 1.0 / inertia_of(p, scene_)}, std::sqrt(mass / 2));
+    b.body_units = four_of<P>({sum_unit(), sum_unit() * grid_.largest_radius, 0.0});
     set_search(b, 2 * radius);
     for (int axis = 0; axis < 3; ++axis) {
       const auto k = static_cast<std::size_t>(axis);
@@ -86,6 +87,24 @@ class DenseImager {
                  static_cast<cl_int>(near_walls(scene_).planes.size()),
                  static_cast<cl_int>(scene_.materials.size()), p.material}};
     return b;
+  }
+
+  /// Of force, a power of two, so that no sum over 2^8 contacts of the deepest overlap and the highest speed
+  /// that a run survives reaches 2^62. The tangential force is at most the normal one's, times a coefficient
+  /// taken as 4.
+  double sum_unit() const {
+    const auto material = static_cast<std::size_t>(scene_.particles.front().material);
+    double strongest = 0.0, heaviest = 0.0;
+    for (const Particle& p : scene_.particles) heaviest = std::max(heaviest, mass_of(p, scene_));
+    for (std::size_t other = 0; other < scene_.materials.size(); ++other) {
+      if (!scene_.contacts.has(material, other)) continue;
+      const PairCoefficients c = coefficients_of(scene_, material, other);
+      const double fastest = 0.125 * grid_.cell.maxCoeff() / scene_.run.step;
+      const double elastic = std::max(c.stiffness, c.history.stiffness) * 2.0 * grid_.largest_radius;
+      strongest =
+          std::max(strongest, elastic + (c.damping.at(heaviest) + c.history.damping.at(heaviest)) * fastest);
+    }
+    return std::exp2(std::ceil(std::log2(strongest)) + 10.0 - 62.0);
   }
 
   /// How far a list looks, with room for the rounding of coarse places.
@@ -193,7 +212,8 @@ DenseBody decoded_as(const DenseRecords& read, std::size_t i, const DenseOptions
 
 DenseGrid::DenseGrid(const Scene& scene, double list_skin) : skin(list_skin), largest_radius(0.0) {
   for (const Particle& p : scene.particles) largest_radius = std::max(largest_radius, p.diameter / 2);
-  const double reach = 2.0 * (largest_radius + skin);
+  // Cells, and so the bits of positions, are the same for every usual skin.
+  const double reach = 2.0 * (largest_radius + std::max(skin, 0.6 * largest_radius));
   const double width = (2.0 * largest_radius + skin) * (1.0 + 1e-5);
   const double most = 4.0 * static_cast<double>(scene.particles.size()) + 64.0;
   for (int axis = 0; axis < 3; ++axis) {

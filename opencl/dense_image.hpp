@@ -16,7 +16,7 @@ namespace grainproof::opencl {
 template <class P>
 struct DenseBox {
   cl_double4 quantum, lower, cell, domain_lower, domain_upper, coarse, alike;
-  typename P::Real4 metre, drift, gravity, time, limits, body;
+  typename P::Real4 metre, drift, gravity, time, limits, body, body_units;
   cl_float4 coarse_metre, near;
   cl_int4 cells, zones, counts, periodic;
 };

@@ -41,7 +41,8 @@ class DenseList {
   const DenseOptions& options_;
   std::size_t particles_, padded_, zones_, group_, work_group_;
   std::optional<Scan> scan_;
-  cl::Buffer zone_counts_, zone_starts_, zone_of_particle_, members_, zones_of_, order_, places_, coarse_, totals_;
+  cl::Buffer zone_counts_, zone_starts_, zone_of_particle_, members_, zones_of_, order_, places_, coarse_,
+      totals_;
   cl::Buffer kept_, ids_, cells_;
   cl::Buffer old_heads_, old_list_, old_springs_, old_strained_;
   std::int64_t room_ = 0, old_room_ = 0, slots_ = 0;

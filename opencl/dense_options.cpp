@@ -20,7 +20,6 @@ Support dynamics_supported(const Scene& scene, const Request& request) {
   if (!std::holds_alternative<NoFlow>(scene.flow)) return Support::no("there is a fluid");
   if (scene.orientation != OrientationUpdate::none) return Support::no("orientations are asked for");
   if (!scene.remembered.empty()) return Support::no("contacts remember something at the start");
-  if (scene.run.order == SumOrder::canonical) return Support::no("canonical order is asked for");
   if (scene.run.integrator != Integrator::velocity_verlet &&
       scene.run.integrator != Integrator::leapfrog_verlet)
     return Support::no("the integrator is not of Verlet's kind");
@@ -44,7 +43,7 @@ Support walls_supported(const Scene& scene) {
 }
 
 Support box_supported(const Scene& scene, double skin) {
-  const double reach = 2.0 * (largest_reach(scene) + skin);
+  const double reach = 2.0 * (largest_reach(scene) + std::max(skin, 0.6 * largest_reach(scene)));
   for (int axis = 0; axis < 3; ++axis)
     if (scene.domain.periodic(axis) && scene.domain.extent()[axis] < 2.5 * reach)
       return Support::no("the box is periodic and shorter than five reaches of a list");
@@ -80,6 +79,7 @@ DenseOptions dense_options(const Scene& scene, Precision precision) {
   DenseOptions o;
   o.precision = precision;
   o.rotation = scene.rotation;
+  o.canonical = scene.run.order == SumOrder::canonical;
   const NearWalls near = near_walls(scene);
   o.planes = !near.planes.empty();
   std::vector<PairCoefficients> laws{pair};
@@ -111,6 +111,7 @@ std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
           "sorting.cl",
           twice ? "wide_double_8.cl" : "wide_single_16.cl",
           "dense_box.cl",
+          o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl",
           "dense_contact.cl",
           "dense_pairs.cl",
           "dense_walls.cl",
@@ -127,8 +128,7 @@ std::string dense_definitions(const DenseOptions& o) {
   return set("PERIODIC_X", 0) + set("PERIODIC_Y", 0) + set("PERIODIC_Z", 0) + set("MANY_MATERIALS", 0) +
          set("FRICTION", o.friction) + set("HISTORY", o.history) + set("ROTATION", o.rotation) +
          set("PLANES", o.planes) + set("VARIED", o.varied) + set("HISTORY_VARIANT", o.history_variant) +
-         set("QUARTERS", quarters_of(o)) + set("MOST_PARTNERS", o.most_partners) +
-         set("WINDOW", window_size);
+         set("QUARTERS", quarters_of(o)) + set("MOST_PARTNERS", o.most_partners) + set("WINDOW", window_size);
 }
 
 }  // namespace grainproof::opencl

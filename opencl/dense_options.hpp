@@ -21,7 +21,8 @@ struct DenseOptions {
   int history_variant = 0;  ///< HistoryBit, of the law between particles
   bool rotation = false;
   bool planes = false;
-  bool varied = false;  ///< particles differ in size, or some are fixed
+  bool varied = false;     ///< particles differ in size, or some are fixed
+  bool canonical = false;  ///< sums do not depend on the order of contacts
   int most_partners = 64;
 
   bool operator==(const DenseOptions&) const = default;
