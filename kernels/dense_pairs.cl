@@ -111,6 +111,7 @@ INLINE bool meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, rea
   const Quarter motion = fetch(d.records, entry, 1);
   const reals gap = square_gap(x, y, z, d.box->quantum, sum);
   m.touching = m.touching & (gap > 0);
+  if (VARIED) m.touching = m.touching & (b.inverse_mass + motion.w > 0);
   const reals distance = roots_of(m.touching ? square : (reals)(1)), reach = distance + sigma;
   const reals inverse = 1 / (distance * reach);
   m.overlap = m.touching ? gap * distance * inverse : (reals)(0);

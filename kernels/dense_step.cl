@@ -40,6 +40,11 @@ INLINE reals inverse_inertia_of(Dense d, Bodies b) {
   return VARIED ? (real)2.5f * b.inverse_mass / (b.radius * b.radius) : (reals)(d.box->body.z);
 }
 
+INLINE Vectors spin_after(Dense d, Bodies b, Push p, real kick) {
+  const Vectors spun = plus_scaled(b.spin, total_of(p.torque, p.torque_unit), inverse_inertia_of(d, b) * kick);
+  return chosen(b.moves, spun, b.spin);
+}
+
 INLINE void store_bodies(global real4* records, Bodies b) {
   const Quarter at = {bits_of_phases(b.x), bits_of_phases(b.y), bits_of_phases(b.z), bits_of_phases(b.radius_phase)};
   const Quarter motion = {b.velocity.x, b.velocity.y, b.velocity.z, b.inverse_mass};
@@ -55,11 +60,12 @@ INLINE void watch(Dense d, Bodies b, int step, global int* signals) {
   const real4 m = d.box->metre;
   const Vectors moved = vectors(to_reals(b.x - load_phases(then)) * m.x, to_reals(b.y - load_phases(then + GROUP)) * m.y,
                                 to_reals(b.z - load_phases(then + 2 * GROUP)) * m.z);
-  if (any_of(inner(moved, moved) > d.box->limits.y)) atomic_min(signals_after(signals, step) + STALE_AT, step + 1);
-  if (escapes(d, b)) atomic_min(signals_after(signals, step) + ESCAPED_AT, step + 1);
+  const bool stale = any_of(inner(moved, moved) > d.box->limits.y);
+  if (stale) atomic_min(signals_after(signals, step) + STALE_AT, step + 1);
+  if (escapes(d, b, stale)) atomic_min(signals_after(signals, step) + ESCAPED_AT, step + 1);
 }
 
-// Faster than a cell in a few steps, or no number.
+// Farther in a step than a sixteenth of a cell, or no number: dense_failure.cpp.
 INLINE bool runs_wild(Dense d, Bodies b) {
   const real4 drift = d.box->drift;
   const reals x = magnitudes(b.velocity.x) * drift.x, y = magnitudes(b.velocity.y) * drift.y,
@@ -75,7 +81,7 @@ kernel void dense_step(DENSE_PARAMETERS, global real4* moved, global int* signal
   const Push p = sum_up(d, b, step, signals);
   const real kick = step > 0 ? d.box->time.x : d.box->time.y;
   const Vectors change = scaled(acceleration_of(d, b, p), kick);
-  if (ROTATION) b.spin = plus_scaled(b.spin, total_of(p.torque, p.torque_unit), inverse_inertia_of(d, b) * kick);
+  if (ROTATION) b.spin = spin_after(d, b, p, kick);
   global real* own = d.kept + (size_t)b.group * (KEPT * GROUP) + b.lane;
   const real4 drift = d.box->drift;
   b.x = kick_and_move(b.x, &b.velocity.x, own, own + 3 * GROUP, change.x, drift.x, b.moves);
@@ -94,6 +100,6 @@ kernel void dense_report(DENSE_PARAMETERS, global real4* seen, global int* signa
   const Push p = sum_up(d, b, step, signals);
   const real kick = step > 0 ? d.box->time.y : 0;
   b.velocity = chosen(b.moves, plus_scaled(b.velocity, acceleration_of(d, b, p), (reals)(kick)), b.velocity);
-  if (ROTATION) b.spin = plus_scaled(b.spin, total_of(p.torque, p.torque_unit), inverse_inertia_of(d, b) * kick);
+  if (ROTATION) b.spin = spin_after(d, b, p, kick);
   store_bodies(seen, b);
 }

@@ -55,9 +55,10 @@ INLINE bool meet_walls(Dense d, Push* total, Bodies b, real duration) {
   return too_deep;
 }
 
-// Whether one has left the domain.
-INLINE bool escapes(Dense d, Bodies b) {
-  if ((d.heads[b.group].z >> FACE_BIT & 1) == 0) return false;
+// Whether one has left the domain. No face was near a group without the bit, so there only one that has moved too far
+// for the list can have.
+INLINE bool escapes(Dense d, Bodies b, bool stale) {
+  if (!stale && (d.heads[b.group].z >> FACE_BIT & 1) == 0) return false;
   const Places p = places_of(d, b);
   const double4 low = d.box->domain_lower, high = d.box->domain_upper;
   return any_of(b.moves & flags_of((p.x < low.x) | (p.x > high.x) | (p.y < low.y) | (p.y > high.y) | (p.z < low.z) |

@@ -41,9 +41,9 @@ void DenseRun::tell_what_went_wrong(cl_int step, bool escaped) {
   std::vector<cl_int4> faults(image_.particles, cl_int4{{never, 0, 0, 0}});
   if (escaped) {
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const double moved = all[i].velocity.norm() * scene_.run.step;
+      const Vec3 moved = all[i].velocity.cwiseAbs() * scene_.run.step;
       const cl_int face = face_left(all[i].position, scene_.domain);
-      if (!(moved < 0.01 * grid_.cell.minCoeff()) && !(moved < std::ldexp(grid_.cell.minCoeff(), -5)))
+      if (!(moved.array() < grid_.cell.array() / 16.0).all())
         faults[i] = {{step, not_a_number, 0, 0}};
       else if (face >= 0)
         faults[i] = {{step, left_domain, face, 0}};

@@ -52,7 +52,8 @@ Support box_supported(const Scene& scene, double skin) {
 
 }  // namespace
 
-Support dense_support(const Scene& scene, const Request& request, double skin) {
+Support dense_support(const Scene& scene, const Request& request, Precision precision, double skin) {
+  if (precision != Precision::single_precision) return Support::no("it is built for single precision alone");
   if (scene.particles.empty()) return Support::no("there are no particles");
   if (const Support s = dynamics_supported(scene, request); !s) return s;
   const auto material = static_cast<std::size_t>(scene.particles.front().material);

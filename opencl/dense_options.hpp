@@ -11,7 +11,7 @@ namespace grainproof::opencl {
 
 /// Whether the dense path can take a scene: one kind of linear contact between many spheres, planes, constant
 /// gravity. `no` says what it lacks. Pure: no device is asked.
-Support dense_support(const Scene& scene, const Request& request, double skin);
+Support dense_support(const Scene& scene, const Request& request, Precision precision, double skin);
 
 /// What a program of the dense path must be able to do for a scene, and nothing else.
 struct DenseOptions {

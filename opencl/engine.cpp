@@ -23,10 +23,9 @@ constexpr std::size_t fewest_dense = 512;
 /// Throws EngineFailed where the dense path is asked for and cannot be had.
 bool takes_dense_path(Path path, const Scene& scene, const Request& request, Precision precision,
                       double skin) {
-  if (precision != Precision::single_precision) return false;
   if (path != Path::dense && path != Path::automatic) return false;
   if (path == Path::automatic && scene.particles.size() < fewest_dense) return false;
-  const Support support = dense_support(scene, request, skin);
+  const Support support = dense_support(scene, request, precision, skin);
   if (path == Path::dense && !support)
     throw EngineFailed("the dense path cannot take it: " + support.because);
   return support.yes;
