@@ -71,7 +71,8 @@ INLINE bool runs_wild(Dense d, Bodies b) {
   const reals x = magnitudes(b.velocity.x) * drift.x, y = magnitudes(b.velocity.y) * drift.y,
               z = magnitudes(b.velocity.z) * drift.z;
   const real most = (real)(1 << 28) * ((real)(1ul << (PHASE_BITS - 32)));
-  return any_of(((x < most) & (y < most) & (z < most)) == 0);
+  const flags calm = (x < most) & (y < most) & (z < most);
+  return any_of((calm ? (reals)(0) : (reals)(1)) > 0);
 }
 
 kernel void dense_step(DENSE_PARAMETERS, global real4* moved, global int* signals, const int step) {
