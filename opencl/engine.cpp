@@ -3,6 +3,7 @@
 #include "opencl/engine.hpp"
 
 #include "model/errors.hpp"
+#include "opencl/dense_run.hpp"
 #include "opencl/limits.hpp"
 #include "opencl/small_run.hpp"
 #include "opencl/workshop.hpp"
@@ -14,6 +15,20 @@ namespace {
 bool takes_small_path(Path path, const Scene& scene) {
   if (path == Path::automatic) return scene.particles.size() <= SmallRun::most_particles;
   return path == Path::small;
+}
+
+/// Fewer are not worth the sorting.
+constexpr std::size_t fewest_dense = 512;
+
+/// Throws EngineFailed where the dense path is asked for and cannot be had.
+bool takes_dense_path(Path path, const Scene& scene, const Request& request, Precision precision,
+                      double skin) {
+  if (path != Path::dense && path != Path::automatic) return false;
+  if (path == Path::automatic && scene.particles.size() < fewest_dense) return false;
+  const Support support = dense_support(scene, request, precision, skin);
+  if (path == Path::dense && !support)
+    throw EngineFailed("the dense path cannot take it: " + support.because);
+  return support.yes;
 }
 
 /// A tenth of the mean diameter: the usual compromise between long lists and frequent ones.
@@ -48,10 +63,12 @@ std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& requ
   const Support support = supports(scene, request);
   if (!support) throw EngineFailed(name() + " does not support this scene: " + support.because);
   const bool small = takes_small_path(options_.path, scene);
+  const double skin = options_.skin.value_or(scene.run.skin >= 0.0 ? scene.run.skin : usual_skin(scene));
+  if (!small && takes_dense_path(options_.path, scene, request, options_.precision, skin))
+    return std::make_unique<DenseRun>(workshop_, scene, options_.precision, skin);
   BuildOptions build = build_options(scene, request, options_.precision, small);
   if (options_.stages == Stages::full) build = with_every_stage(build);
   if (small) return std::make_unique<SmallRun>(workshop_, scene, build);
-  const double skin = options_.skin.value_or(scene.run.skin >= 0.0 ? scene.run.skin : usual_skin(scene));
   return std::make_unique<ZonedRun>(workshop_, scene, build, choose_zones(scene, skin),
                                     static_cast<std::size_t>(options_.work_group));
 }

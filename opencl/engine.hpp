@@ -12,8 +12,9 @@
 
 namespace grainproof::opencl {
 
-/// `automatic` takes the small path (one work-group, all pairs) up to 64 particles, else the zoned one.
-enum class Path { automatic, small, zoned };
+/// `automatic` takes the small path (one work-group, all pairs) up to 64 particles, the dense one for many with
+/// contacts that it knows (opencl/dense_options.hpp), else the zoned one, which knows all.
+enum class Path { automatic, small, zoned, dense };
 
 /// `lean` compiles what a scene needs; `full` also every stage that cannot change its physics. Same bits.
 enum class Stages { lean, full };

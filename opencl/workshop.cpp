@@ -65,15 +65,23 @@ void Workshop::finish() {
 }
 
 Program& Workshop::program(const BuildOptions& options) {
-  const auto files = kernel_files(options, pocl_);
-  std::string flags = "-cl-std=CL1.2" + definitions(options);
+  return program(kernel_files(options, pocl_), definitions(options), options.precision);
+}
+
+Program& Workshop::program(const DenseOptions& options) {
+  return program(dense_kernel_files(options, pocl_), dense_definitions(options), options.precision);
+}
+
+Program& Workshop::program(const std::vector<std::string>& files, const std::string& defined,
+                           Precision precision) {
+  std::string flags = "-cl-std=CL1.2" + defined;
   if (correctly_rounded_) flags += " -cl-fp32-correctly-rounded-divide-sqrt";
   std::string key = flags;
   for (const std::string& file : files) key += ' ' + file;
   auto found = programs_.find(key);
   if (found == programs_.end()) {
     auto made = std::make_unique<Program>(build(files, flags), name_);
-    compare_sizes(*made, options.precision);
+    compare_sizes(*made, precision);
     found = programs_.emplace(key, std::move(made)).first;
   }
   return *found->second;

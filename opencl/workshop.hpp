@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "opencl/build_options.hpp"
+#include "opencl/dense_options.hpp"
 #include "opencl/device_error.hpp"
 #include "opencl/scene_image.hpp"
 
@@ -56,6 +57,7 @@ class Workshop {
 
   /// Builds at most once a process for the same options.
   Program& program(const BuildOptions& options);
+  Program& program(const DenseOptions& options);
 
   /// Enqueues `name` with all of its arguments, in order: buffers and scalars of OpenCL types only.
   template <class... Arguments>
@@ -74,6 +76,7 @@ class Workshop {
 
  private:
   void check_argument_count(const cl::Kernel& kernel, const std::string& name, std::size_t given) const;
+  Program& program(const std::vector<std::string>& files, const std::string& defined, Precision precision);
   cl::Program build(const std::vector<std::string>& files, const std::string& flags) const;
   void compare_sizes(Program& program, Precision precision);
 

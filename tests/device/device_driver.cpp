@@ -15,7 +15,7 @@ namespace {
 EngineOptions options_from(const std::string& precision, const std::string& path, bool full) {
   EngineOptions options =
       options_for(precision == "single" ? Precision::single_precision : Precision::double_precision);
-  options.path = path == "small" ? Path::small : Path::zoned;
+  options.path = path == "small" ? Path::small : path == "dense" ? Path::dense : Path::zoned;
   options.stages = full ? Stages::full : Stages::lean;
   options.work_group = 32;
   return options;

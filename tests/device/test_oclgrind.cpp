@@ -75,6 +75,11 @@ TEST_F(OclgrindOnce, FindsNothingWhereSpringsGoFromListToList) {
   expect_clean(run_driver(checker, "single zoned turning_liggghts 8 60"));
 }
 
+TEST_F(OclgrindOnce, FindsNothingInTheDensePath) {
+  for (const char* scene : {"boxed", "damped_friction", "fixed", "tilted_plane", "turning_liggghts"})
+    expect_clean(run_driver(checker, std::string("single dense ") + scene + " 16 20"));
+}
+
 TEST_F(OclgrindOnce, FindsNothingInABuildOfEveryStage) {
   for (const char* precision : {"single ", "double "})
     expect_clean(run_driver(checker, precision + std::string("zoned damped_friction 20 6 full")));

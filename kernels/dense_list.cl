@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the lists of a window down, and carries springs over from the list before.
+typedef struct {
+  const global int4* heads;
+  const global uint* list;
+  const global real* springs;
+  const global int* strained;
+  const global int* members;  // where a particle of now was then
+} Former;
+
+typedef struct {
+  global int4* heads;
+  global uint* list;
+  global real* springs;
+  global int* strained;
+} Latter;
+
+INLINE real4 spring_in(const global real* springs, int slot, int lane) {
+  const global real* row = springs + (size_t)slot * (3 * GROUP) + lane;
+  return (real4)(row[0], row[GROUP], row[2 * GROUP], 0);
+}
+
+INLINE void put_spring(Latter l, int slot, int lane, real4 spring) {
+  if (spring.x == 0 && spring.y == 0 && spring.z == 0) return;
+  global real* row = l.springs + (size_t)slot * (3 * GROUP) + lane;
+  row[0] = spring.x;
+  row[GROUP] = spring.y;
+  row[2 * GROUP] = spring.z;
+  note_strain(l.strained, slot, 1);
+}
+
+// The spring of particle `old` with partner `old_partner`, both as they stood then.
+INLINE real4 former_spring(Former f, int old, int old_partner) {
+  const int4 head = f.heads[old / GROUP];
+  const int lane = old % GROUP;
+  const uint wanted = (uint)old_partner * UNITS_A_RECORD;
+  for (int k = head.x + head.w; k < head.x + head.y; ++k)
+    if (may_be_strained(f.strained, k) && f.list[(size_t)k * GROUP + lane] == wanted) return spring_in(f.springs, k, lane);
+  return (real4)(0);
+}
+
+// Slots of walls stand in the order of the walls near the group, then and now.
+INLINE real4 former_wall_spring(Former f, int old, int wall) {
+  const int4 head = f.heads[old / GROUP];
+  if ((head.z >> wall & 1) == 0) return (real4)(0);
+  return spring_in(f.springs, head.x + popcount(head.z & ((1 << wall) - 1)), old % GROUP);
+}
+
+// Bits of the planes that a particle may touch while the list lasts, and one for the faces of the domain.
+INLINE int walls_near(const global DenseBox* box, const global DensePlane* planes, phase4 p, int3 cell) {
+  int near = 0;
+  const double4 size = box->cell, low = box->domain_lower, high = box->domain_upper;
+  const double scale = PHASE_BITS == 32 ? 0x1p-32 : 0x1p-64, margin = box->alike.w;
+  const double x = box->lower.x + ((double)cell.x + (double)(bare_phase)p.x * scale) * size.x;
+  const double y = box->lower.y + ((double)cell.y + (double)(bare_phase)p.y * scale) * size.y;
+  const double z = box->lower.z + ((double)cell.z + (double)(bare_phase)p.z * scale) * size.z;
+  const double reach = box->alike.z + (VARIED ? (double)p.w * box->quantum.w : box->alike.y);
+  for (int k = 0; k < box->counts.y; ++k) {
+    const double4 n = planes[k].normal;
+    if (x * n.x + y * n.y + z * n.z - n.w < reach) near |= 1 << k;
+  }
+  if ((!box->periodic.x && (x - low.x < margin || high.x - x < margin)) ||
+      (!box->periodic.y && (y - low.y < margin || high.y - y < margin)) ||
+      (!box->periodic.z && (z - low.z < margin || high.z - z < margin)))
+    near |= 1 << FACE_BIT;
+  return near;
+}
+
+// By near partners first, then by all.
+#define BUCKETS 512
+INLINE int bucket_of(const Found* found, int i) {
+  const int near = found->near_count[i], all = near + found->far_count[i];
+  return min(near, 15) * 32 + min(all, 31);
+}
+
+// A window in the order in which it was searched, and in which it will stand: those with alike counts next to each
+// other, so that slots are full.
+INLINE void order_window(const Found* found, int count, int* order) {
+  int starts[BUCKETS + 1];
+  for (int k = 0; k <= BUCKETS; ++k) starts[k] = 0;
+  for (int i = 0; i < count; ++i) ++starts[bucket_of(found, i) + 1];
+  for (int k = 0; k < BUCKETS; ++k) starts[k + 1] += starts[k];
+  for (int i = 0; i < count; ++i) order[starts[bucket_of(found, i)]++] = i;
+  for (int i = count; i < WINDOW; ++i) order[i] = i;
+}
+
+// Of the particle in row `row` of what was found, into lane `lane` of slots from head.x on.
+INLINE void write_lane(Latter l, int4 head, int lane, int self, int row, const Found* found) {
+  const int near = found->near_count[row], all = near + found->far_count[row];
+  const int* partners = found->partners + row * MOST_PARTNERS;
+  global uint* entry = l.list + (size_t)head.x * GROUP + lane;
+  for (int k = 0; k < head.y; ++k, entry += GROUP) {
+    const int place = k - head.w;
+    *entry = (uint)(place < 0 || place >= all ? self : partners[place < near ? place : MOST_PARTNERS - 1 - (place - near)]);
+  }
+}
+
+INLINE void carry_lane(Former f, Latter l, int4 head, int lane, int self, int row, const Found* found) {
+  const int old = f.members[self];
+  int k = head.x;
+  for (int walls = head.z & ~(1 << FACE_BIT); walls != 0; walls &= walls - 1)
+    put_spring(l, k++, lane, former_wall_spring(f, old, lowest_bit((uint)walls)));
+  const int* partners = found->partners + row * MOST_PARTNERS;
+  for (int near = 0; near < found->near_count[row]; ++near)
+    put_spring(l, k++, lane, former_spring(f, old, f.members[partners[near]]));
+}
+
+typedef struct {
+  const global DenseBox* box;
+  const global DensePlane* planes;
+  const global real4* records;  // as they stood before
+  const global int* cells;
+  const global int* members;
+} Site;
+
+// Particles order[0 … GROUP − 1] of the window that begins at `first`.
+INLINE int4 head_of(Site s, int first, const int* order, const Found* found, global int* totals) {
+  int near = 0, longest = 0;
+  for (int lane = 0; lane < GROUP; ++lane) {
+    const int self = first + order[lane], old = s.members[self];
+    if (self < s.box->counts.x) near |= walls_near(s.box, s.planes, phase4_at(s.records, old), cells_in(s.cells[old]));
+    longest = max(longest, found->near_count[order[lane]] + found->far_count[order[lane]]);
+  }
+  const int walls = HISTORY ? popcount((uint)(near & ~(1 << FACE_BIT))) : 0;
+  const int slots = walls + longest;
+  return (int4)(slots > 0 ? atomic_add(totals, slots) : 0, slots, near, walls);
+}
+
+INLINE void seek_for_window(const global DenseBox* box, const global uint* coarse, int padded, int first,
+                            const global int* zone_starts, const global int* zones_of, Found* found) {
+  found->crowded = 0;
+  for (int k = 0; k < WINDOW; ++k) found->near_count[k] = found->far_count[k] = 0;
+  for (int row = 0; row < WINDOW; row += GROUP) {
+    const global uint* x = coarse + first + row;
+    const Seekers s = {box, coarse, padded, first + row, row, load_coarses(x), load_coarses(x + padded),
+                       load_coarses(x + 2 * padded), load_floats((const global float*)(x + 3 * padded))};
+    seek_for_group(s, zone_starts, zones_of, found);
+  }
+}
+
+// One window of WINDOW particles in order of zones. totals: slots asked for; whether some row was too short. Where in
+// memory a group's slots lie is decided by who comes first, and decides nothing else. Partners are named by their
+// place in the order of zones; dense_rename.
+kernel void dense_list(const global DenseBox* box, const global DensePlane* planes, const global real4* records,
+                       const global int* cells, const global uint* coarse, const global int* zones_of,
+                       const global int* zone_starts, const global int* members, const global int4* old_heads,
+                       const global uint* old_list, const global real* old_springs, const global int* old_strained,
+                       global int4* heads, global uint* list, global real* springs, global int* strained,
+                       global int* order, global int* places, global int* totals, const int padded, const int room) {
+  const int first = get_global_id(0) * WINDOW, count = clamp(box->counts.x - first, 0, WINDOW);
+  Found found;
+  seek_for_window(box, coarse, padded, first, zone_starts, zones_of, &found);
+  if (found.crowded) totals[1] = 1;
+  int rows[WINDOW];
+  order_window(&found, count, rows);
+  for (int i = 0; i < WINDOW; ++i) {
+    order[first + i] = first + rows[i];
+    places[first + rows[i]] = first + i;
+  }
+  const Site site = {box, planes, records, cells, members};
+  const Former former = {old_heads, old_list, old_springs, old_strained, members};
+  const Latter latter = {heads, list, springs, strained};
+  for (int g = 0; g < WINDOW; g += GROUP) {
+    const int4 head = head_of(site, first, rows + g, &found, totals);
+    heads[(first + g) / GROUP] = head;
+    if (head.x + head.y > room) continue;
+    if (HISTORY)
+      for (int k = head.x; k < head.x + head.y; ++k) clear_springs(springs, strained, k);
+    for (int lane = 0; lane < GROUP; ++lane) {
+      const int row = rows[g + lane];
+      write_lane(latter, head, lane, first + row, row, &found);
+      if (HISTORY && row < count) carry_lane(former, latter, head, lane, first + row, row, &found);
+    }
+  }
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Planes and the faces of the domain, looked at only by groups that were near one when the list was built.
+typedef struct {
+  lengths x, y, z;
+} Places;
+
+INLINE lengths place_along(phases now, phases then, indices cells, int shift, double lower, double cell, double unit) {
+  return lower + exact_indices((cells >> shift) & 1023) * cell + (exact_phases(then) + exact_moves(now - then)) * unit;
+}
+
+INLINE Places places_of(Dense d, Bodies b) {
+  const global phase* then = d.built_at + (size_t)b.group * (3 * GROUP) + b.lane;
+  const indices cells = load_indices(d.cells + b.first);
+  const double4 lower = d.box->lower, cell = d.box->cell, unit = d.box->quantum;
+  Places p;
+  p.x = place_along(b.x, load_phases(then), cells, 0, lower.x, cell.x, unit.x);
+  p.y = place_along(b.y, load_phases(then + GROUP), cells, 10, lower.y, cell.y, unit.y);
+  p.z = place_along(b.z, load_phases(then + 2 * GROUP), cells, 20, lower.z, cell.z, unit.z);
+  return p;
+}
+
+INLINE bool meet_plane(Dense d, Push* total, Bodies b, Places p, const global DensePlane* plane, int slot,
+                       real duration) {
+  const double4 n = plane->normal;
+  const lengths radius = VARIED ? length_in(b.radius_phase, d.box->quantum.w) : (lengths)(d.box->alike.y);
+  Meeting m;
+  m.overlap = rounded(radius - (p.x * n.x + p.y * n.y + p.z * n.z - n.w));
+  m.touching = (m.overlap > 0) & b.moves;
+  if (!any_of(m.touching)) {
+    release_springs(d, slot, b.lane);
+    return false;
+  }
+  const PairLaw law = d.laws[d.box->counts.w * d.box->counts.z + plane->wall.x];
+  m.overlap = m.touching ? m.overlap : (reals)(0);
+  m.normal = vectors((real)n.x, (real)n.y, (real)n.z);
+  m.velocity = b.velocity;
+  m.root_mass = roots_of(1 / (m.touching ? b.inverse_mass : (reals)(1)));
+  m.arm = arm_of(b.radius, m.overlap, law.history);
+  m.sweep = scaled(b.spin, m.arm);
+  Vectors spring = springs_before(d, slot, b.lane);
+  push(total, m, law, &spring, duration);
+  keep_springs(d, slot, b.lane, spring);
+  return any_of(m.overlap > d.box->limits.x * b.radius);
+}
+
+INLINE bool meet_walls(Dense d, Push* total, Bodies b, real duration) {
+  const int4 head = d.heads[b.group];
+  bool too_deep = false;
+  if ((head.z & ~(1 << FACE_BIT)) == 0) return false;
+  const Places p = places_of(d, b);
+  int slot = head.x;
+  for (int k = 0; k < d.box->counts.y; ++k)
+    if (head.z >> k & 1) too_deep |= meet_plane(d, total, b, p, d.planes + k, slot++, duration);
+  return too_deep;
+}
+
+// Whether one has left the domain. No face was near a group without the bit, so there only one that has moved too far
+// for the list can have.
+INLINE bool escapes(Dense d, Bodies b, bool stale) {
+  if (!stale && (d.heads[b.group].z >> FACE_BIT & 1) == 0) return false;
+  const Places p = places_of(d, b);
+  const double4 low = d.box->domain_lower, high = d.box->domain_upper;
+  return any_of(b.moves & flags_of((p.x < low.x) | (p.x > high.x) | (p.y < low.y) | (p.y > high.y) | (p.z < low.z) |
+                                   (p.z > high.z)));
+}

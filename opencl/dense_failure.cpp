@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "opencl/bytes.hpp"
+#include "opencl/dense_run.hpp"
+#include "opencl/failure.hpp"
+#include "opencl/layout.hpp"
+#include "opencl/near_walls.hpp"
+
+namespace grainproof::opencl {
+namespace {
+
+cl_int face_left(const Vec3& x, const Domain& domain) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain.periodic(axis)) continue;
+    if (x[axis] < domain.lower[axis]) return 2 * axis;
+    if (x[axis] > domain.upper[axis]) return 2 * axis + 1;
+  }
+  return -1;
+}
+
+double distance(Vec3 d, const Domain& domain) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.periodic(axis)) d[axis] -= domain.extent()[axis] * std::round(d[axis] / domain.extent()[axis]);
+  return d.norm();
+}
+
+/// The partner, or −1 − wall, that a body overlaps most, and by what fraction of the smaller radius.
+struct Deepest {
+  double fraction = 0.0;
+  cl_int partner = 0;
+};
+
+}  // namespace
+
+// The device says only when and of which kind; who it was is looked up in what it holds of that boundary.
+void DenseRun::tell_what_went_wrong(cl_int step, bool escaped) {
+  settled_ = true;
+  const auto all = bodies(world_.records[static_cast<std::size_t>(step & 1)]);
+  std::vector<cl_int4> faults(image_.particles, cl_int4{{never, 0, 0, 0}});
+  if (escaped) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Vec3 moved = all[i].velocity.cwiseAbs() * scene_.run.step;
+      const cl_int face = face_left(all[i].position, scene_.domain);
+      if (!(moved.array() < grid_.cell.array() / 16.0).all())
+        faults[i] = {{step, not_a_number, 0, 0}};
+      else if (face >= 0)
+        faults[i] = {{step, left_domain, face, 0}};
+    }
+    throw_failure(scene_, step, bytes_of(faults));
+  }
+  const DenseLists lists = read_lists();
+  const NearWalls near = near_walls(scene_);
+  std::vector<Deepest> deepest(all.size());
+  const auto note = [&](std::size_t i, double overlap, double radius, cl_int partner) {
+    if (overlap / radius > deepest[i].fraction) deepest[i] = {overlap / radius, partner};
+  };
+  for (std::size_t g = 0; g < lists.heads.size(); ++g)
+    for (std::size_t lane = 0; lane < group() && g * group() + lane < all.size(); ++lane) {
+      const auto i = static_cast<std::size_t>(lists.ids[g * group() + lane]);
+      const double radius = scene_.particles[i].diameter / 2;
+      for (const auto& wall : near.planes)
+        note(i, radius - (all[i].position - wall.shape.point).dot(wall.shape.normal), radius,
+             -1 - wall.index);
+      for (cl_int k = lists.heads[g].s[3]; k < lists.heads[g].s[1]; ++k) {
+        const auto slot = static_cast<std::size_t>(lists.heads[g].s[0] + k);
+        const auto j = static_cast<std::size_t>(
+            lists.ids[static_cast<std::size_t>(lists.entries[slot * group() + lane])]);
+        if (i == j) continue;
+        const double other = scene_.particles[j].diameter / 2;
+        const double gap = distance(all[j].position - all[i].position, scene_.domain);
+        note(i, radius + other - gap, std::min(radius, other), static_cast<cl_int>(j));
+      }
+    }
+  // The device has rounded: the deepest of all counts even where it is a hair's breadth below the limit.
+  double most = 0.0;
+  for (const Deepest& d : deepest) most = std::max(most, d.fraction);
+  const double limit = std::min(scene_.run.overlap_limit, most * (1.0 - 1e-6));
+  for (std::size_t i = 0; i < deepest.size(); ++i)
+    if (deepest[i].fraction > limit) faults[i] = {{step, too_deep, deepest[i].partner, 0}};
+  throw_failure(scene_, step, bytes_of(faults));
+}
+
+}  // namespace grainproof::opencl

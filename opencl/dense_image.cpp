@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opencl/dense_image.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "opencl/bytes.hpp"
+#include "opencl/near_walls.hpp"
+#include "opencl/pair_laws.hpp"
+
+namespace grainproof::opencl {
+namespace {
+
+/// Where a centre is within its cell: unsigned, over the whole range of its type.
+struct Place {
+  cl_int cell;
+  std::uint64_t phase;
+  double part;  ///< of a unit, what the phase leaves out
+};
+
+Place place_of(double from_lower, double cell, int bits) {
+  const long double cells = static_cast<long double>(from_lower) / cell;
+  const long double whole = std::floor(cells);
+  const long double units = std::ldexp(cells - whole, bits);
+  const long double phase = std::floor(units);
+  return {static_cast<cl_int>(whole), static_cast<std::uint64_t>(phase), static_cast<double>(units - phase)};
+}
+
+cl_double4 four(const Vec3& v, double w = 0.0) {
+  return {{v[0], v[1], v[2], w}};
+}
+
+template <class P>
+class DenseImager {
+ public:
+  using Real = typename P::Real;
+  static constexpr bool twice = sizeof(Real) == 8;
+  static constexpr int bits = twice ? 64 : 32;
+  using Phase = std::conditional_t<twice, cl_long, cl_int>;
+
+  DenseImager(const Scene& scene, const DenseOptions& options, const DenseGrid& grid)
+      : scene_(scene), options_(options), grid_(grid) {}
+
+  DenseImage make(std::size_t granularity) {
+    DenseImage image;
+    image.particles = scene_.particles.size();
+    image.padded = (image.particles + granularity - 1) / granularity * granularity;
+    image.box = bytes_of(std::vector{box()});
+    image.planes = planes();
+    image.laws = laws();
+    add_particles(image);
+    return image;
+  }
+
+ private:
+  double radius_unit() const { return std::ldexp(grid_.largest_radius, 3 - bits); }
+  Vec3 quantum() const { return grid_.cell * std::ldexp(1.0, -bits); }
+
+  DenseBox<P> box() const {
+    const Particle& p = scene_.particles.front();
+    const double mass = mass_of(p, scene_), radius = p.diameter / 2, step = scene_.run.step;
+    const double skin = grid_.skin;
+    DenseBox<P> b{};
+    b.quantum = four(quantum(), radius_unit());
+    b.lower = four(grid_.lower);
+    b.cell = four(grid_.cell);
+    b.domain_lower = four(scene_.domain.lower);
+    b.domain_upper = four(scene_.domain.upper);
+    b.alike = {{2 * radius, radius, 0.51 * skin, 0.51 * skin}};
+    b.metre = four_of<P>(quantum(), radius_unit());
+    b.drift = four_of<P>(quantum().cwiseInverse() * step);
+    b.gravity = four_of<P>(std::get<ConstantGravity>(scene_.gravity).acceleration);
+    b.time = four_of<P>({step, step / 2, 0.0});
+    b.limits = four_of<P>({scene_.run.overlap_limit, 0.25 * skin * skin, 1.0 + 1e-5});
+    b.body = four_of<P>({radius, 1.0 / mass, 1.0 / inertia_of(p, scene_)}, std::sqrt(mass / 2));
+    b.body_units = four_of<P>({sum_unit(), sum_unit() * grid_.largest_radius, 0.0});
+    set_search(b, 2 * radius);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      b.coarse.s[axis] = std::ldexp(1.0, 32) / grid_.cells[k];
+      b.cells.s[axis] = grid_.cells[k];
+      b.zones.s[axis] = grid_.zone_counts[k];
+      b.periodic.s[axis] = grid_.periodic[k];
+    }
+    b.counts = {{static_cast<cl_int>(scene_.particles.size()),
+                 static_cast<cl_int>(near_walls(scene_).planes.size()),
+                 static_cast<cl_int>(scene_.materials.size()), p.material}};
+    return b;
+  }
+
+  /// Of force, a power of two, so that no sum over 2^8 contacts of the deepest overlap and the highest speed
+  /// that a run survives reaches 2^62. The tangential force is at most the normal one's, times a coefficient
+  /// taken as 4.
+  double sum_unit() const {
+    const auto material = static_cast<std::size_t>(scene_.particles.front().material);
+    double strongest = 0.0, heaviest = 0.0;
+    for (const Particle& p : scene_.particles) heaviest = std::max(heaviest, mass_of(p, scene_));
+    for (std::size_t other = 0; other < scene_.materials.size(); ++other) {
+      if (!scene_.contacts.has(material, other)) continue;
+      const PairCoefficients c = coefficients_of(scene_, material, other);
+      const double fastest = 0.125 * grid_.cell.maxCoeff() / scene_.run.step;
+      const double elastic = std::max(c.stiffness, c.history.stiffness) * 2.0 * grid_.largest_radius;
+      strongest =
+          std::max(strongest, elastic + (c.damping.at(heaviest) + c.history.damping.at(heaviest)) * fastest);
+    }
+    return std::exp2(std::ceil(std::log2(strongest)) + 10.0 - 62.0);
+  }
+
+  /// How far a list looks, with room for the rounding of coarse places.
+  void set_search(DenseBox<P>& b, double diameter) const {
+    const double unit = std::ldexp(grid_.extent.maxCoeff(), -32);
+    const double reach = grid_.skin + 8.0 * unit + 1e-6 * (2 * grid_.largest_radius + grid_.skin);
+    const double near = std::min(0.02 * diameter, grid_.skin);
+    for (int axis = 0; axis < 3; ++axis)
+      b.coarse_metre.s[axis] = static_cast<cl_float>(std::ldexp(grid_.extent[axis], -32));
+    b.coarse_metre.s[3] = static_cast<cl_float>(reach);
+    b.near = {{static_cast<cl_float>(near), static_cast<cl_float>(diameter + reach),
+               static_cast<cl_float>(diameter + near), 0.0f}};
+  }
+
+  Bytes planes() const {
+    std::vector<DensePlane> planes;
+    for (const auto& wall : near_walls(scene_).planes)
+      planes.push_back({four(wall.shape.normal, wall.shape.normal.dot(wall.shape.point)),
+                        {{wall.material, wall.index, 0, 0}}});
+    return bytes_of(planes);
+  }
+
+  /// The zoned path's own table, of a scene without its particles.
+  Bytes laws() const {
+    Scene bare;
+    bare.run = scene_.run;
+    bare.domain = scene_.domain;
+    bare.materials = scene_.materials;
+    bare.contacts = scene_.contacts;
+    bare.gravity = scene_.gravity;
+    return make_image(bare, options_.precision, {}, 1).laws;
+  }
+
+  void add_particles(DenseImage& image) const {
+    const auto quarters = static_cast<std::size_t>(quarters_of(options_));
+    const auto group = static_cast<std::size_t>(group_size(options_.precision));
+    const auto numbers = static_cast<std::size_t>(kept_numbers(options_.precision));
+    std::vector<typename P::Real4> records(image.padded * quarters, four_of<P>(Vec3::Zero()));
+    std::vector<Real> kept(image.padded * numbers);
+    std::vector<Phase> built_at(image.padded * 3);
+    std::vector<cl_int> cells(image.padded);
+    for (std::size_t i = 0; i < image.particles; ++i) {
+      const Particle& p = scene_.particles[i];
+      std::array<Phase, 4> phases{};
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        Place place = place_of(p.position[axis] - grid_.lower[axis], grid_.cell[axis], bits);
+        if (grid_.periodic[k]) place.cell = (place.cell + grid_.cells[k]) % grid_.cells[k];
+        phases[k] = static_cast<Phase>(place.phase);
+        built_at[i / group * 3 * group + k * group + i % group] = phases[k];
+        if (numbers > 0)
+          kept[i / group * numbers * group + k * group + i % group] = static_cast<Real>(place.part);
+        cells[i] |= place.cell << (10 * axis);
+      }
+      phases[3] = static_cast<Phase>(std::nearbyint(p.diameter / 2 / radius_unit()));
+      std::memcpy(&records[i * quarters], phases.data(), sizeof(phases));
+      records[i * quarters + 1] = four_of<P>(p.velocity, p.fixed ? 0.0 : 1.0 / mass_of(p, scene_));
+      if (quarters > 2) records[i * quarters + 2] = four_of<P>(p.angular_velocity);
+    }
+    image.records = bytes_of(records);
+    image.kept = bytes_of(kept);
+    image.built_at = bytes_of(built_at);
+    image.cells = bytes_of(cells);
+  }
+
+  const Scene& scene_;
+  const DenseOptions& options_;
+  const DenseGrid& grid_;
+};
+
+template <class P>
+DenseBody decoded_as(const DenseRecords& read, std::size_t i, const DenseOptions& options,
+                     const DenseGrid& grid) {
+  using Phase = typename DenseImager<P>::Phase;
+  using Bare = std::make_unsigned_t<Phase>;
+  const auto quarters = static_cast<std::size_t>(quarters_of(options));
+  const auto group = static_cast<std::size_t>(group_size(options.precision));
+  const auto numbers = static_cast<std::size_t>(kept_numbers(options.precision));
+  const auto vector = [&](std::size_t quarter) {
+    const auto v = value_at<typename P::Real4>(read.records, i * quarters + quarter);
+    return Vec3(v.s[0], v.s[1], v.s[2]);
+  };
+  DenseBody body{Vec3::Zero(), vector(1), quarters > 2 ? vector(2) : Vec3::Zero()};
+  const cl_int cells = value_at<cl_int>(read.cells, i);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const auto now = value_at<Phase>(read.records, i * quarters * 4 + k);
+    const auto then = value_at<Phase>(read.built_at, i / group * 3 * group + k * group + i % group);
+    const auto moved = static_cast<Phase>(static_cast<Bare>(now) - static_cast<Bare>(then));
+    const double part = numbers > 0 ? value_at<typename P::Real>(
+                                          read.kept, i / group * numbers * group + k * group + i % group)
+                                    : 0.0;
+    const long double units = static_cast<long double>(static_cast<Bare>(then)) + moved + part;
+    const long double at = (cells >> (10 * k) & 1023) + std::ldexp(units, -DenseImager<P>::bits);
+    double x = static_cast<double>(grid.lower[axis] + at * grid.cell[axis]);
+    if (grid.periodic[k] && x < grid.lower[axis]) x += grid.extent[axis];
+    if (grid.periodic[k] && x >= grid.lower[axis] + grid.extent[axis])
+      x = std::max(x - grid.extent[axis], grid.lower[axis]);
+    body.position[axis] = x;
+  }
+  return body;
+}
+
+}  // namespace
+
+DenseGrid::DenseGrid(const Scene& scene, double list_skin) : skin(list_skin), largest_radius(0.0) {
+  for (const Particle& p : scene.particles) largest_radius = std::max(largest_radius, p.diameter / 2);
+  // Cells, and so the bits of positions, are the same for every usual skin.
+  const double reach = 2.0 * (largest_radius + std::max(skin, 0.6 * largest_radius));
+  const double width = (2.0 * largest_radius + skin) * (1.0 + 1e-5);
+  const double most = 4.0 * static_cast<double>(scene.particles.size()) + 64.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    periodic[k] = scene.domain.periodic(axis);
+    const double margin = periodic[k] ? 0.0 : 1.25 * reach;
+    lower[axis] = scene.domain.lower[axis] - margin;
+    extent[axis] = scene.domain.extent()[axis] + 2.0 * margin;
+    cells[k] = static_cast<int>(std::clamp(std::floor(extent[axis] / (2.5 * reach)), 1.0, 1023.0));
+    cell[axis] = extent[axis] / cells[k];
+  }
+  double coarsening = 1.0;
+  do {
+    for (int axis = 0; axis < 3; ++axis)
+      zone_counts[static_cast<std::size_t>(axis)] =
+          static_cast<int>(std::clamp(std::floor(extent[axis] / (width * coarsening)), 1.0, 2048.0));
+    coarsening *= 1.25;
+  } while (static_cast<double>(zone_counts[0]) * zone_counts[1] * zone_counts[2] > most);
+}
+
+DenseImage make_dense_image(const Scene& scene, const DenseOptions& options, const DenseGrid& grid,
+                            std::size_t granularity) {
+  if (options.precision == Precision::single_precision)
+    return DenseImager<Single>(scene, options, grid).make(granularity);
+  return DenseImager<Double>(scene, options, grid).make(granularity);
+}
+
+DenseBody decoded(const DenseRecords& read, std::size_t i, const DenseOptions& options,
+                  const DenseGrid& grid) {
+  if (options.precision == Precision::single_precision) return decoded_as<Single>(read, i, options, grid);
+  return decoded_as<Double>(read, i, options, grid);
+}
+
+}  // namespace grainproof::opencl

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opencl/dense_options.hpp"
+
+#include <algorithm>
+
+#include "opencl/layout.hpp"
+#include "opencl/near_walls.hpp"
+#include "opencl/pair_laws.hpp"
+
+namespace grainproof::opencl {
+namespace {
+
+/// Walls are bits of a mask, kernels/dense_box.cl.
+constexpr std::size_t most_planes = 30;
+
+Support dynamics_supported(const Scene& scene, const Request& request) {
+  if (request.ledger) return Support::no("the ledger is kept by the zoned path");
+  if (!std::holds_alternative<ConstantGravity>(scene.gravity)) return Support::no("gravity is not constant");
+  if (!std::holds_alternative<NoFlow>(scene.flow)) return Support::no("there is a fluid");
+  if (scene.orientation != OrientationUpdate::none) return Support::no("orientations are asked for");
+  if (!scene.remembered.empty()) return Support::no("contacts remember something at the start");
+  if (scene.run.integrator != Integrator::velocity_verlet &&
+      scene.run.integrator != Integrator::leapfrog_verlet)
+    return Support::no("the integrator is not of Verlet's kind");
+  return {};
+}
+
+Support contact_supported(const Scene& scene, std::size_t a, std::size_t b) {
+  const ContactLaws& laws = scene.contacts.at(a, b);
+  if (!std::holds_alternative<LinearNormal>(laws.normal)) return Support::no("a contact is not linear");
+  if (!std::holds_alternative<NoCohesion>(laws.cohesion)) return Support::no("there is cohesion");
+  if (!std::holds_alternative<NoRolling>(laws.rolling)) return Support::no("there is rolling resistance");
+  return {};
+}
+
+Support walls_supported(const Scene& scene) {
+  if (scene.walls.size() > most_planes) return Support::no("there are more than 30 walls");
+  for (const Wall& wall : scene.walls)
+    if (!std::holds_alternative<Plane>(wall.shape) || !std::holds_alternative<Still>(wall.motion))
+      return Support::no("wall " + wall.name + " is not a plane at rest");
+  return {};
+}
+
+Support box_supported(const Scene& scene, double skin) {
+  const double reach = 2.0 * (largest_reach(scene) + std::max(skin, 0.6 * largest_reach(scene)));
+  for (int axis = 0; axis < 3; ++axis)
+    if (scene.domain.periodic(axis) && scene.domain.extent()[axis] < 2.5 * reach)
+      return Support::no("the box is periodic and shorter than five reaches of a list");
+  return {};
+}
+
+}  // namespace
+
+Support dense_support(const Scene& scene, const Request& request, Precision precision, double skin) {
+  if (precision != Precision::single_precision) return Support::no("it is built for single precision alone");
+  if (scene.particles.empty()) return Support::no("there are no particles");
+  if (const Support s = dynamics_supported(scene, request); !s) return s;
+  const auto material = static_cast<std::size_t>(scene.particles.front().material);
+  double smallest = scene.particles.front().diameter, largest = smallest;
+  for (const Particle& p : scene.particles) {
+    if (static_cast<std::size_t>(p.material) != material)
+      return Support::no("particles are of more than one material");
+    smallest = std::min(smallest, p.diameter);
+    largest = std::max(largest, p.diameter);
+  }
+  if (largest > 4.0 * smallest) return Support::no("diameters differ by more than a factor of four");
+  if (const Support s = walls_supported(scene); !s) return s;
+  if (const Support s = contact_supported(scene, material, material); !s) return s;
+  for (const Wall& wall : scene.walls)
+    if (const Support s = contact_supported(scene, material, static_cast<std::size_t>(wall.material)); !s)
+      return s;
+  return box_supported(scene, skin);
+}
+
+DenseOptions dense_options(const Scene& scene, Precision precision) {
+  const Particle& any = scene.particles.front();
+  const auto material = static_cast<std::size_t>(any.material);
+  const auto pair = coefficients_of(scene, material, material);
+  DenseOptions o;
+  o.precision = precision;
+  o.rotation = scene.rotation;
+  o.canonical = scene.run.order == SumOrder::canonical;
+  const NearWalls near = near_walls(scene);
+  o.planes = !near.planes.empty();
+  std::vector<PairCoefficients> laws{pair};
+  for (const auto& wall : near.planes)
+    laws.push_back(coefficients_of(scene, material, static_cast<std::size_t>(wall.material)));
+  for (const PairCoefficients& law : laws) {
+    o.friction |= law.friction > 0.0;
+    o.history |= law.history.coefficient > 0.0;
+  }
+  if (pair.history.coefficient > 0.0)
+    o.history_variant = remembers | (pair.history.limit == CoulombLimit::spring ? limit_on_spring : 0) |
+                        (pair.history.arm == TorqueArm::overlap ? arm_shortened : 0) |
+                        (pair.history.turn == SpringTurn::project ? turn_projects : 0);
+  o.varied = std::any_of(scene.particles.begin(), scene.particles.end(),
+                         [&](const Particle& p) { return p.fixed || p.diameter != any.diameter; });
+  return o;
+}
+
+std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
+  const bool twice = o.precision == Precision::double_precision;
+  return {"prelude.cl",
+          twice ? "real_double.cl" : "real_single.cl",
+          pocl ? "math_pocl.cl" : "math_plain.cl",
+          twice ? "position_double.cl" : "position_fixed.cl",
+          "world.cl",
+          "faults.cl",
+          "sizes.cl",
+          "scan.cl",
+          "sorting.cl",
+          twice ? "wide_double_8.cl" : "wide_single_16.cl",
+          "dense_box.cl",
+          o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl",
+          "dense_contact.cl",
+          "dense_pairs.cl",
+          "dense_walls.cl",
+          "dense_step.cl",
+          "dense_order.cl",
+          "dense_seek.cl",
+          "dense_list.cl"};
+}
+
+std::string dense_definitions(const DenseOptions& o) {
+  const auto set = [](const char* name, int value) {
+    return std::string(" -D ") + name + "=" + std::to_string(value);
+  };
+  return set("PERIODIC_X", 0) + set("PERIODIC_Y", 0) + set("PERIODIC_Z", 0) + set("MANY_MATERIALS", 0) +
+         set("FRICTION", o.friction) + set("HISTORY", o.history) + set("ROTATION", o.rotation) +
+         set("PLANES", o.planes) + set("VARIED", o.varied) + set("HISTORY_VARIANT", o.history_variant) +
+         set("QUARTERS", quarters_of(o)) + set("MOST_PARTNERS", o.most_partners) + set("WINDOW", window_size);
+}
+
+}  // namespace grainproof::opencl

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "model/engine.hpp"
+#include "opencl/precision.hpp"
+
+namespace grainproof::opencl {
+
+/// Whether the dense path can take a scene: one kind of linear contact between many spheres, planes, constant
+/// gravity. `no` says what it lacks. Pure: no device is asked.
+Support dense_support(const Scene& scene, const Request& request, Precision precision, double skin);
+
+/// What a program of the dense path must be able to do for a scene, and nothing else.
+struct DenseOptions {
+  Precision precision = Precision::double_precision;
+  bool friction = false;  ///< any without history
+  bool history = false;
+  int history_variant = 0;  ///< HistoryBit, of the law between particles
+  bool rotation = false;
+  bool planes = false;
+  bool varied = false;     ///< particles differ in size, or some are fixed
+  bool canonical = false;  ///< sums do not depend on the order of contacts
+  int most_partners = 64;
+
+  bool operator==(const DenseOptions&) const = default;
+};
+
+DenseOptions dense_options(const Scene& scene, Precision precision);
+
+std::vector<std::string> dense_kernel_files(const DenseOptions& options, bool pocl);
+std::string dense_definitions(const DenseOptions& options);
+
+/// Particles that stand together in a group, and whose entries fill a slot of its list.
+constexpr int group_size(Precision precision) {
+  return precision == Precision::double_precision ? 8 : 16;
+}
+
+/// Particles in order of zones that are searched for, and then put in order of their counts, together.
+inline constexpr int window_size = 128;
+
+/// Vectors of four that a particle has: place, motion and, where bodies turn, spin.
+constexpr int quarters_of(const DenseOptions& options) {
+  return options.rotation ? 3 : 2;
+}
+
+/// Numbers that a particle keeps to itself, kernels/wide_*.cl.
+constexpr int kept_numbers(Precision precision) {
+  return precision == Precision::double_precision ? 0 : 6;
+}
+
+}  // namespace grainproof::opencl

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "opencl/dense_list.hpp"
+
+namespace grainproof::opencl {
+
+/// The list, read back.
+struct DenseLists {
+  std::vector<cl_int4> heads;  ///< of a group: first slot, slots, walls near, slots of walls
+  std::vector<cl_int> entries;
+  std::vector<cl_int> ids;
+};
+
+/// Many spheres with one kind of contact: one launch a step, particles in order of zones, groups of them at
+/// once.
+///
+/// As in ZonedRun, steps are enqueued in batches without asking the device; kernels stop by themselves where
+/// the list has gone stale, and the host goes on from there with a new one.
+class DenseRun : public Run {
+ public:
+  DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Precision precision, double skin);
+
+  void advance(std::int64_t steps) override;
+  void synchronise() override;
+  Frame frame() override;
+  State state() override;
+  std::uint64_t digest() override;
+  Counters counters() const override { return counters_; }
+  Ledger ledger() override { return {}; }
+
+ private:
+  void build_list();
+  void enqueue(std::int64_t first, std::int64_t last);
+  /// Until every step enqueued is taken.
+  void catch_up();
+  std::int64_t next_batch() const;
+  void ensure_started();
+  /// What is seen at the current boundary goes to the spare records; with `keeps`, springs and marks to
+  /// others of the same size.
+  const cl::Buffer& report(const cl::Buffer& springs, const cl::Buffer& strained, bool keeps);
+  DenseRecords read_records(const cl::Buffer& records);
+  /// In the order of the scene.
+  std::vector<DenseBody> bodies(const cl::Buffer& records);
+  DenseLists read_lists();
+  std::vector<ContactMemory> memories();
+  std::size_t group() const { return static_cast<std::size_t>(group_size(options_.precision)); }
+  [[noreturn]] void tell_what_went_wrong(cl_int step, bool escaped);
+
+  std::shared_ptr<Workshop> workshop_;
+  Scene scene_;
+  DenseOptions options_;
+  DenseGrid grid_;
+  DenseImage image_;
+  Program* program_;
+  Range items_;
+  DenseWorld world_;
+  DenseList list_;
+  cl::Buffer signals_;
+  Counters counters_;
+  std::int64_t done_ = 0;
+  std::int64_t enqueued_ = 0;
+  std::int64_t built_at_ = -1;
+  std::int64_t lifetime_ = 32;
+  bool settled_ = false;
+  std::optional<std::chrono::steady_clock::time_point> stepping_since_;
+};
+
+}  // namespace grainproof::opencl

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+#include <fstream>
+
+#include "crowds.hpp"
+#include "device_fixture.hpp"
+#include "model/errors.hpp"
+#include "scenes.hpp"
+
+namespace grainproof::opencl::testing {
+namespace {
+
+struct Named {
+  const char* name;
+  Crowd crowd;
+  Integrator integrator = Integrator::velocity_verlet;
+};
+
+constexpr HistoryFriction liggghts{
+    0.5, 8e4, 1.0, CoulombLimit::spring, TorqueArm::overlap, SpringTurn::project_and_rescale};
+constexpr std::array walled{Boundary::wall, Boundary::wall, Boundary::wall};
+constexpr std::array endless{Boundary::periodic, Boundary::periodic, Boundary::periodic};
+
+const Named crowds[] = {
+    {"bed", {}},
+    {"liggghts", {.friction = liggghts}},
+    {"no_tension", {.no_tension = true}},
+    {"collision_time_friction", {.friction = CollisionTimeFriction{0.4, 1e5}}},
+    {"step_friction_without_rotation", {.friction = StepFriction{0.4, 1e5}, .rotation = false}},
+    {"frictionless_gas", {.friction = Frictionless{}, .rotation = false, .boundary = endless}},
+    {"unequal", {.spread = 0.3}},
+    {"fixed", {.spread = 0.1, .fixed = true}},
+    {"walled", {.boundary = walled}},
+    {"leapfrog", {}, Integrator::leapfrog_verlet},
+};
+
+Scene scene_of(const Named& named) {
+  Scene scene = crowded_scene(named.crowd);
+  scene.run.integrator = named.integrator;
+  return scene;
+}
+
+EngineOptions on(Path path, Precision precision = Precision::single_precision) {
+  EngineOptions options = options_for(precision);
+  options.path = path;
+  return options;
+}
+
+double norm(const std::vector<Vec3>& a, const std::vector<Vec3>& b = {}) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (b.empty() ? a[i] : Vec3(a[i] - b[i])).squaredNorm();
+  return std::sqrt(sum);
+}
+
+struct Errors {
+  double velocity, spin, springs;
+};
+
+std::vector<Vec3> springs_of(const State& state) {
+  std::vector<Vec3> springs;
+  for (const ContactMemory& memory : state.contacts) springs.push_back(memory.tangential_displacement);
+  return springs;
+}
+
+State final_state(const EngineOptions& options, const Scene& scene, std::int64_t* rebuilds = nullptr) {
+  OpenClEngine engine(options);
+  const auto run = engine.start(scene, {});
+  run->advance(crowd_steps);
+  run->synchronise();
+  if (rebuilds != nullptr) *rebuilds = run->counters().list_rebuilds;
+  return run->state();
+}
+
+/// Relative, against the zoned path in double.
+Errors errors_of(const EngineOptions& options, const Scene& scene) {
+  const State exact = final_state(on(Path::zoned, Precision::double_precision), scene);
+  const State seen = final_state(options, scene);
+  Errors e{norm(seen.velocity, exact.velocity) / norm(exact.velocity), 0.0, 0.0};
+  if (scene.rotation)
+    e.spin = norm(seen.angular_velocity, exact.angular_velocity) / norm(exact.angular_velocity);
+  const auto springs = springs_of(seen), wanted = springs_of(exact);
+  EXPECT_EQ(springs.size(), wanted.size());
+  if (!wanted.empty() && springs.size() == wanted.size()) e.springs = norm(springs, wanted) / norm(wanted);
+  return e;
+}
+
+class Dense : public ::testing::TestWithParam<Named> {};
+
+// A unit of position is 1e-9 of a diameter, some 1e-6 of the overlaps here; 150 steps with two or three
+// collisions each make of it what they make of any error: 5e-7 was measured. A law that is wrong in one term
+// is off by 1e-2 and more.
+constexpr double single_bar = 1e-5;
+
+TEST_P(Dense, AgreesWithTheZonedPathInDouble) {
+  const Errors e = errors_of(on(Path::dense), scene_of(GetParam()));
+  EXPECT_LT(e.velocity, single_bar);
+  EXPECT_LT(e.spin, single_bar);
+  EXPECT_LT(e.springs, 10 * single_bar);
+}
+
+TEST_P(Dense, AgreesInCanonicalOrderToo) {
+  Scene scene = scene_of(GetParam());
+  scene.run.order = SumOrder::canonical;
+  const Errors e = errors_of(on(Path::dense), scene);
+  EXPECT_LT(e.velocity, single_bar);
+  EXPECT_LT(e.spin, single_bar);
+  EXPECT_LT(e.springs, 10 * single_bar);
+}
+
+TEST_P(Dense, FirstFrameIsTheSceneItself) {
+  const Scene scene = scene_of(GetParam());
+  OpenClEngine engine(on(Path::dense));
+  const Frame frame = engine.start(scene, {})->frame();
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    EXPECT_LT((frame.position[i] - scene.particles[i].position).norm(), 1e-9 * diameter);
+    EXPECT_LT((frame.velocity[i] - scene.particles[i].velocity).norm(), 1e-7);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Crowds, Dense, ::testing::ValuesIn(crowds),
+                         [](const ::testing::TestParamInfo<Named>& param) { return param.param.name; });
+
+TEST(DenseRun, IsTakenByItselfWhereItCan) {
+  const Scene scene = crowded_scene({});
+  EXPECT_EQ(OpenClEngine(on(Path::automatic)).start(scene, {})->digest(),
+            OpenClEngine(on(Path::dense)).start(scene, {})->digest());
+}
+
+TEST(DenseRun, IsRefusedWithAReasonWhereItCannot) {
+  Scene scene = crowded_scene({});
+  scene.flow = UniformFlow{1e-3, Vec3::Zero()};
+  OpenClEngine engine(on(Path::dense));
+  EXPECT_THROW(engine.start(scene, {}), EngineFailed);
+}
+
+// Its force turns with the slip at any speed, however small, so that rounding decides wherever bodies stick.
+TEST(DenseRun, IsAsCloseToDoubleAsTheZonedPathUnderDynamicFriction) {
+  const Scene scene = crowded_scene({.friction = DynamicFriction{0.4}});
+  EXPECT_LT(errors_of(on(Path::dense), scene).velocity, 2 * errors_of(on(Path::zoned), scene).velocity);
+}
+
+TEST(DenseRun, RoundsNoMotionAwayHoweverSlow) {
+  Scene scene = crowded_scene({.friction = Frictionless{}, .rotation = false});
+  scene.gravity = ConstantGravity{Vec3::Zero()};
+  for (Particle& p : scene.particles) {
+    p.diameter = p.effect_diameter = 0.09;
+    p.velocity *= 1e-8;  // some hundredths of a unit of position a step
+  }
+  OpenClEngine engine(on(Path::dense));
+  const auto run = engine.start(scene, {});
+  run->advance(crowd_steps);
+  const Frame frame = run->frame();
+  double error = 0.0;
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    const Particle& p = scene.particles[i];
+    const Vec3 wanted = p.position + p.velocity * scene.run.end;
+    error = std::max(error, (frame.position[i] - wanted).norm());
+  }
+  EXPECT_LT(error, 1e-3 * 1e-8 * scene.run.end);
+}
+
+TEST(DenseRun, GrowsItsRowsForABigOneAmongMany) {
+  Scene scene = crowded_scene({.across = 12, .friction = Frictionless{}, .rotation = false});
+  for (Particle& p : scene.particles) p.diameter = p.effect_diameter = 0.045;
+  Particle& big = scene.particles[555];
+  big.diameter = big.effect_diameter = 0.15;
+  EngineOptions options = on(Path::dense);
+  options.skin = 0.14;  // some 90 within reach of the big one
+  const State exact = final_state(on(Path::zoned, Precision::double_precision), scene);
+  EXPECT_LT(norm(final_state(options, scene).velocity, exact.velocity) / norm(exact.velocity), single_bar);
+}
+
+/// A copy of the kernels with one mistake in it.
+std::filesystem::path kernels_with(const std::string& file, const std::string& right,
+                                   const std::string& wrong) {
+  const auto folder = std::filesystem::temp_directory_path() / ("grainproof-dense-with-" + file);
+  std::filesystem::remove_all(folder);
+  std::filesystem::copy(GRAINPROOF_KERNELS, folder);
+  std::ifstream original(folder / file);
+  std::string text{std::istreambuf_iterator<char>(original), {}};
+  const auto at = text.find(right);
+  EXPECT_NE(at, std::string::npos) << right;
+  if (at != std::string::npos) text.replace(at, right.size(), wrong);
+  original.close();
+  std::ofstream(folder / file) << text;
+  return folder;
+}
+
+struct Mistake {
+  const char* name;
+  const char* file;
+  const char* right;
+  const char* wrong;
+};
+
+const Mistake mistakes[] = {
+    {"springs_are_not_carried", "dense_list.cl", "may_be_strained(f.strained, k) &&", "false &&"},
+    {"springs_of_walls_are_not_carried", "dense_list.cl", "if ((head.z >> wall & 1) == 0) return",
+     "if (true) return"},
+    {"springs_do_not_turn", "dense_contact.cl", "turned_springs(*spring, m.normal, law.history)", "*spring"},
+    {"torque_has_the_wrong_sign", "dense_contact.cl", "scaled(outer(m.normal, rubbing), -m.arm)",
+     "scaled(outer(m.normal, rubbing), m.arm)"},
+    {"sweep_forgets_the_partner", "dense_pairs.cl", "arm_of(radius, m.overlap, law.history));",
+     "(reals)(0));"},
+    {"a_row_beyond_the_face_is_missed", "dense_seek.cl", "(z < 0 ? z + zones : z - zones)", "-1"},
+};
+
+class DenseMistakes : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(DenseMistakes, AreNoticed) {
+  EngineOptions options = on(Path::dense);
+  options.kernels = kernels_with(GetParam().file, GetParam().right, GetParam().wrong);
+  options.skin = 0.002;
+  const Scene scene = crowded_scene({});
+  const State exact = final_state(on(Path::zoned, Precision::double_precision), scene);
+  const State seen = final_state(options, scene);
+  const bool springs_differ =
+      seen.contacts.size() != exact.contacts.size() ||
+      norm(springs_of(seen), springs_of(exact)) > 10 * single_bar * norm(springs_of(exact));
+  EXPECT_TRUE(norm(seen.velocity, exact.velocity) > single_bar * norm(exact.velocity) ||
+              norm(seen.angular_velocity, exact.angular_velocity) >
+                  single_bar * norm(exact.angular_velocity) ||
+              springs_differ);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planted, DenseMistakes, ::testing::ValuesIn(mistakes),
+                         [](const ::testing::TestParamInfo<Mistake>& param) { return param.param.name; });
+
+}  // namespace
+}  // namespace grainproof::opencl::testing
