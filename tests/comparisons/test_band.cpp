@@ -75,6 +75,17 @@ TEST(Band, RowSaysBothMeansAndHoldsTheirDifferenceAgainstOneBand) {
   EXPECT_NE(far.reason.find("bands"), std::string::npos) << far.reason;
 }
 
+TEST(Band, OfSamplesOfWhichOneFailedIsNoNumber) {
+  Case subject = seeded();
+  subject.scenes[3].scene.particles[1].velocity.x() = 2.0;  // flies away: there is no collision to measure
+  Rebounder other(0.1, 1.0);
+  Rebounder engine(0.2, 1.0);
+  const Row row = judge(subject, engine, [&](const std::string&) { return &other; }).at(0);
+  EXPECT_EQ(row.verdict, Verdict::fail);
+  EXPECT_TRUE(std::isnan(row.error));
+  EXPECT_NE(row.reason.find("sample 3"), std::string::npos) << row.reason;
+}
+
 TEST(Band, OfACurveIsImpossible) {
   Case subject = seeded();
   subject.expectations[0].quantity = "position";
