@@ -77,9 +77,13 @@ TEST(Band, RowSaysBothMeansAndHoldsTheirDifferenceAgainstOneBand) {
 
 TEST(Band, OfSamplesOfWhichOneFailedIsNoNumber) {
   Case subject = seeded();
-  subject.scenes[3].scene.particles[1].velocity.x() = 2.0;  // flies away: there is no collision to measure
+  subject.scenes[3].scene.title = "spoilt";
   Rebounder other(0.1, 1.0);
   Rebounder engine(0.2, 1.0);
+  engine.spoil = [](const Scene& scene, Observations& seen) {
+    if (scene.title == "spoilt")
+      seen.outcome = {Outcome::Status::went_wrong, "out of the domain", 7, 0.1, {2}};
+  };
   const Row row = judge(subject, engine, [&](const std::string&) { return &other; }).at(0);
   EXPECT_EQ(row.verdict, Verdict::fail);
   EXPECT_TRUE(std::isnan(row.error));
