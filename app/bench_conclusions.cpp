@@ -48,7 +48,7 @@ void add_update_fit(BenchSession& session, const std::string& who, const std::ma
                                    {"scene", "gas"},
                                    {"engine", who},
                                    {"precision", ""},
-                                   {"over", "of an update"},
+                                   {"over", "updates"},
                                    {"points", points.size()},
                                    {"exponent", law->exponent},
                                    {"exponent_low", law->exponent_low},

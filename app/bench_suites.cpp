@@ -27,7 +27,7 @@ void measure_cundall(BenchSession& session) {
                  .particles = within_limits(session, sizes),
                  .threads = threads,
                  .rounds = session.quick() ? 2 : 5,
-                 .seconds = session.quick() ? 0.3 : 1.0});
+                 .seconds = session.quick() ? 0.2 : 1.0});
 }
 
 void measure_neighbours(BenchSession& session) {

@@ -48,9 +48,10 @@ std::string table_text(const Suite& suite, const json& rows, const report::Paint
 }
 
 std::string fit_text(const json& fit) {
+  const std::string precision = fit.at("precision").get<std::string>();
   std::string text = "  " + fit.at("scene").get<std::string>() + ", " + fit.at("engine").get<std::string>() +
-                     " " + fit.at("precision").get<std::string>() + ", sizes " +
-                     fit.at("over").get<std::string>() + ": ";
+                     (precision.empty() ? "" : " " + precision) + ", " + fit.at("over").get<std::string>() +
+                     ": ";
   return text + "time ~ N^" + report::brief(fit.at("exponent").get<double>()) +
          " (95 %: " + report::brief(fit.at("exponent_low").get<double>()) + " … " +
          report::brief(fit.at("exponent_high").get<double>()) + ")\n";

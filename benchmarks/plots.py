@@ -70,7 +70,7 @@ def scaling(rows, results, folder):
         for curve in groups(of_scene, "engine", "precision").values():
             points = sorted((row["particles"], row["step_s"] / row["particles"]) for row in curve)
             exponent = [fit["exponent"] for fit in results.get("fits", [])
-                        if fit["suite"] == "scaling" and fit["over"] == "all" and "exponent" in fit
+                        if fit["suite"] == "scaling" and fit["over"] == "all sizes" and "exponent" in fit
                         and all(fit[key] == curve[0][key] for key in ("scene", "engine", "precision"))]
             label = engine_label(curve[0]) + "".join(f", time ~ N^{value:.3f}" for value in exponent)
             axes.plot(*zip(*points), label=label, **style(curve[0]))
@@ -110,12 +110,13 @@ def curves(axes, rows, x, y, label, **more):
 
 def neighbours(rows, _, folder):
     figure, axes = plt.subplots()
-    for (engine, way), curve in groups([row for row in rows if row["what"] != "skin"], "engine", "way").items():
+    searches = [row for row in rows if row["what"] != "skin"]
+    for (_, _, way), curve in groups(searches, "engine", "precision", "way").items():
         for key, name in (("update_s", "an update"), ("step_s", "a step")):
             points = sorted((row["particles"], row[key]) for row in curve if key in row)
             if points:
                 axes.plot(*zip(*points), "o-" if key == "update_s" else "s:", markersize=4,
-                          label=f"{name}: {engine}, {way}")
+                          label=f"{name}: {engine_label(curve[0])}, {way}")
     axes.set(xscale="log", yscale="log", xlabel="particles", ylabel="seconds", title="Searching neighbours: gas")
     axes.legend(fontsize=7)
     save(figure, folder, "neighbours_size")
