@@ -17,7 +17,7 @@ struct BenchOptions {
   std::filesystem::path json;   ///< results; empty writes none
   std::filesystem::path out;    ///< folder for results.json, tables.txt and plots; empty writes none
   std::filesystem::path cache;  ///< where settled beds are kept; empty takes the usual place
-  bool quick = false;           ///< small scenes and short measurements: all suites in about two minutes
+  bool quick = false;           ///< small scenes and short measurements: all suites in a few minutes
   std::int64_t least = 0;       ///< particles of the smallest scene
   std::int64_t most = 0;        ///< of the largest; 0 takes what memory and time allow
   int rounds = 0;               ///< measurements of each subject; 0 takes the usual number

@@ -11,20 +11,6 @@
 namespace grainproof::app {
 namespace {
 
-std::string engine_of(const Sample& sample) {
-  const std::string engine = sample.key("engine");
-  return engine == "opencl" ? engine + " " + sample.key("precision") : engine;
-}
-
-/// The first sample of each subject.
-std::vector<Sample> subjects(const std::vector<Sample>& samples) {
-  std::vector<Sample> first;
-  std::set<std::string> seen;
-  for (const Sample& sample : samples)
-    if (seen.insert(sample.subject()).second) first.push_back(sample);
-  return first;
-}
-
 void add_ratio(BenchSession& session, const Sample& of, const std::string& what,
                const std::vector<double>& found) {
   if (found.empty()) return;
@@ -62,7 +48,7 @@ void add_update_fit(BenchSession& session, const std::string& who, const std::ma
                                    {"scene", "gas"},
                                    {"engine", who},
                                    {"precision", ""},
-                                   {"over", "of an update"},
+                                   {"over", "updates"},
                                    {"points", points.size()},
                                    {"exponent", law->exponent},
                                    {"exponent_low", law->exponent_low},
@@ -147,33 +133,6 @@ void conclude_peers(BenchSession& session, const std::vector<Sample>& samples) {
                     ours.key("processes") + " processes",
                 ratios(samples, ours.subject(), peer.subject(), "cundall_number"));
     }
-}
-
-/// For each scene, engine and decade of error the least time of a point at least that accurate, and with
-/// what.
-void conclude_accuracy(BenchSession& session) {
-  struct Cheapest {
-    double seconds = 1e300;
-    const Sample* with = nullptr;
-  };
-  std::map<std::string, std::map<int, Cheapest>> found;
-  for (const Sample& sample : session.all()) {
-    if (sample.key("suite") != "accuracy" || !sample.error.empty() || !(sample.value("error") > 0.0))
-      continue;
-    const std::string who = sample.key("scene") + ", " + engine_of(sample);
-    for (int decade = -1; std::pow(10.0, decade) >= sample.value("error"); --decade) {
-      Cheapest& best = found[who][decade];
-      if (sample.value("wall_s") < best.seconds) best = {sample.value("wall_s"), &sample};
-    }
-  }
-  for (const auto& [who, decades] : found)
-    for (const auto& [decade, best] : decades)
-      session.extra["decades"].push_back({{"suite", "accuracy"},
-                                          {"who", who},
-                                          {"error", std::pow(10.0, decade)},
-                                          {"wall_s", best.seconds},
-                                          {"integrator", best.with->key("integrator")},
-                                          {"steps_per_contact", best.with->key("steps_per_contact")}});
 }
 
 }  // namespace grainproof::app

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -119,6 +120,19 @@ json rows_of(const std::vector<Sample>& samples) {
   json rows = json::array();
   for (const std::string& subject : order) rows.push_back(row_of(subjects[subject]));
   return rows;
+}
+
+std::string engine_of(const Sample& sample) {
+  const std::string engine = sample.key("engine");
+  return engine == "opencl" ? engine + " " + sample.key("precision") : engine;
+}
+
+std::vector<Sample> subjects(const std::vector<Sample>& samples) {
+  std::vector<Sample> first;
+  std::set<std::string> seen;
+  for (const Sample& sample : samples)
+    if (seen.insert(sample.subject()).second) first.push_back(sample);
+  return first;
 }
 
 std::vector<double> ratios(const std::vector<Sample>& samples, const std::string& subject,

@@ -36,6 +36,12 @@ Spread spread_of(std::vector<double> values);
 /// the smallest and the largest Cundall number, and why there is nothing.
 nlohmann::json rows_of(const std::vector<Sample>& samples);
 
+/// "reference", "opencl single", …
+std::string engine_of(const Sample& sample);
+
+/// The first sample of each subject.
+std::vector<Sample> subjects(const std::vector<Sample>& samples);
+
 /// `value` of one subject over that of another, round by round, where both were measured.
 std::vector<double> ratios(const std::vector<Sample>& samples, const std::string& subject,
                            const std::string& over, const std::string& value);

@@ -101,12 +101,12 @@ void measure_curve(BenchSession& session, const std::string& scene, const std::s
                      .scenes = {scene},
                      .engines = {engine},
                      .particles = {size},
-                     .rounds = 3,
+                     .rounds = session.quick() ? 2 : 3,
                      .seconds = session.quick() ? 0.2 : 2.0});
     curve.insert(curve.end(), found.begin(), found.end());
   }
-  add_fit(session, curve, "all", 0.0);
-  add_fit(session, curve, "beyond the caches", caches_beyond * last_level_cache_bytes());
+  add_fit(session, curve, "all sizes", 0.0);
+  add_fit(session, curve, "sizes beyond the caches", caches_beyond * last_level_cache_bytes());
 }
 
 }  // namespace

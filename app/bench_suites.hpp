@@ -32,7 +32,8 @@ std::vector<std::int64_t> within_limits(const BenchSession& session, std::vector
 /// bench_scaling.cpp
 void measure_scaling(BenchSession& session);
 
-/// What follows from the samples of a suite, into BenchSession::extra; bench_conclusions.cpp.
+/// What follows from the samples of a suite, into BenchSession::extra; bench_conclusions.cpp and
+/// bench_accuracy.cpp.
 void conclude_neighbours(BenchSession& session, const std::vector<Sample>& samples);
 void conclude_features(BenchSession& session, const std::vector<Sample>& samples);
 void conclude_peers(BenchSession& session, const std::vector<Sample>& samples);

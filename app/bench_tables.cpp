@@ -48,9 +48,10 @@ std::string table_text(const Suite& suite, const json& rows, const report::Paint
 }
 
 std::string fit_text(const json& fit) {
+  const std::string precision = fit.at("precision").get<std::string>();
   std::string text = "  " + fit.at("scene").get<std::string>() + ", " + fit.at("engine").get<std::string>() +
-                     " " + fit.at("precision").get<std::string>() + ", sizes " +
-                     fit.at("over").get<std::string>() + ": ";
+                     (precision.empty() ? "" : " " + precision) + ", " + fit.at("over").get<std::string>() +
+                     ": ";
   return text + "time ~ N^" + report::brief(fit.at("exponent").get<double>()) +
          " (95 %: " + report::brief(fit.at("exponent_low").get<double>()) + " … " +
          report::brief(fit.at("exponent_high").get<double>()) + ")\n";
@@ -67,11 +68,17 @@ std::string skin_text(const json& best) {
          report::brief(best.at("skin").get<double>()) + " diameters\n";
 }
 
+std::string order_text(const json& order) {
+  return "  order " + report::two_decimals(order.at("order").get<double>()) + ": " +
+         order.at("scene").get<std::string>() + ", " + order.at("engine").get<std::string>() + " " +
+         order.at("precision").get<std::string>() + ", " + order.at("integrator").get<std::string>() + "\n";
+}
+
 std::string decade_text(const json& decade) {
   return "  error " + report::brief(decade.at("error").get<double>()) + ", " +
          decade.at("who").get<std::string>() + ": " + report::duration(decade.at("wall_s").get<double>()) +
          " with " + decade.at("integrator").get<std::string>() + ", " +
-         decade.at("steps_per_contact").get<std::string>() + " steps a contact\n";
+         std::to_string(decade.at("steps_per_contact").get<int>()) + " steps a contact\n";
 }
 
 }  // namespace
@@ -84,6 +91,7 @@ std::string suite_text(const Suite& suite, const json& results, const report::Pa
     if (fit.contains("exponent")) text << fit_text(fit);
   for (const json& ratio : rows_of_suite(results, "ratios", suite.name)) text << ratio_text(ratio);
   for (const json& best : rows_of_suite(results, "best_skins", suite.name)) text << skin_text(best);
+  for (const json& order : rows_of_suite(results, "orders", suite.name)) text << order_text(order);
   for (const json& decade : rows_of_suite(results, "decades", suite.name)) text << decade_text(decade);
   return text.str();
 }

@@ -82,11 +82,22 @@ class WallImager {
     Stand<P> stand{};
     stand.shape = held(now);
     stand.velocity = four_of<P>(place.velocity);
-    stand.offset = four_of<P>(held_at(now) - wall.reference - place.shift);
+    stand.offset = four_of<P>(across_no_face(held_at(now) - wall.reference - place.shift, now));
     return stand;
   }
 
  private:
+  /// A rectangle is held by its image in the domain; its reference point goes with it.
+  Vec3 across_no_face(Vec3 offset, const NearWall<Rectangle>& wall) const {
+    for (int axis = 0; axis < 3; ++axis)
+      if (domain_.periodic(axis)) offset[axis] = (wall.shape.upper[axis] - wall.shape.lower[axis]) / 2;
+    return offset;
+  }
+  template <class Shape>
+  Vec3 across_no_face(const Vec3& offset, const NearWall<Shape>&) const {
+    return offset;
+  }
+
   /// A rectangle that stays is clipped already.
   Rectangle within_reach(const NearWall<Rectangle>& wall) const {
     return wall.row < 0 ? wall.shape : opencl::within_reach(wall.shape, domain_, reach_);

@@ -75,7 +75,7 @@ void add_wall_forces(const ContactSetting& setting, const NearWalls& near, Bodie
         setting.walls[wall].shape);
 }
 
-template <class Log>
+template <bool cohesive, class Log>
 void add_forces(const ContactSetting& setting, const Neighbours& neighbours, Bodies& bodies,
                 ContactHistory& history, Watch& watch, Log& log) {
   const auto add = [&](auto touch) {
@@ -86,13 +86,18 @@ void add_forces(const ContactSetting& setting, const Neighbours& neighbours, Bod
     add_wall_forces(setting, neighbours.walls(), bodies, watch, touch, log);
   };
   if (bodies.turning())
-    add(AnyTouch<true, Log>(setting.walls, bodies, history, log));
+    add(AnyTouch<true, cohesive, Log>(setting.walls, bodies, history, log));
   else if (!setting.simple)
-    add(AnyTouch<false, Log>(setting.walls, bodies, history, log));
-  else if (setting.cohesion)
-    add(SimpleTouch<true, Log>(log));
+    add(AnyTouch<false, cohesive, Log>(setting.walls, bodies, history, log));
   else
-    add(SimpleTouch<false, Log>(log));
+    add(SimpleTouch<cohesive, Log>(log));
+}
+
+template <class Log>
+void add_logged_forces(const ContactSetting& setting, const Neighbours& neighbours, Bodies& bodies,
+                       ContactHistory& history, Watch& watch, Log& log) {
+  setting.cohesion ? add_forces<true>(setting, neighbours, bodies, history, watch, log)
+                   : add_forces<false>(setting, neighbours, bodies, history, watch, log);
 }
 
 }  // namespace
@@ -100,8 +105,8 @@ void add_forces(const ContactSetting& setting, const Neighbours& neighbours, Bod
 void add_contact_forces(const ContactSetting& setting, const Neighbours& neighbours, Bodies& bodies,
                         ContactHistory& history, Watch& watch, ForceLog* log) {
   NoLog none;
-  log ? add_forces(setting, neighbours, bodies, history, watch, *log)
-      : add_forces(setting, neighbours, bodies, history, watch, none);
+  log ? add_logged_forces(setting, neighbours, bodies, history, watch, *log)
+      : add_logged_forces(setting, neighbours, bodies, history, watch, none);
 }
 
 }  // namespace grainproof::reference

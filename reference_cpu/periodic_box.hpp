@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +18,7 @@ class PeriodicBox {
       any_ = true;
       period_[axis] = upper_[axis] - lower_[axis];
       half_[axis] = 0.5 * period_[axis];
+      smallest_half_ = std::min(smallest_half_, half_[axis]);
     }
   }
 
@@ -27,6 +29,7 @@ class PeriodicBox {
 
   /// Of the difference of two positions inside the box, the shortest among the images.
   Vec3 nearest_image(Vec3 apart) const {
+    if (apart.squaredNorm() < smallest_half_ * smallest_half_) return apart;  // as nearly always
     for (int axis = 0; axis < 3; ++axis) {
       if (apart[axis] > half_[axis])
         apart[axis] -= period_[axis];
@@ -52,6 +55,7 @@ class PeriodicBox {
   bool any_ = false;
   Vec3 lower_, upper_;
   Vec3 period_ = Vec3::Zero();
+  double smallest_half_ = std::numeric_limits<double>::infinity();
   Vec3 half_ = Vec3::Constant(std::numeric_limits<double>::infinity());
 };
 

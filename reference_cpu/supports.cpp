@@ -27,18 +27,34 @@ Support periods_hold_two_ranges(const Scene& scene) {
   return {};
 }
 
-/// A plane has no image of itself that fits; a rectangle either spans the period or leaves room.
-bool fits_period(const Plane& plane, int axis, double, double) {
+/// A plane has no image of itself that fits.
+bool fits_period(const Plane& plane, int axis, const Domain&, double) {
   return plane.normal[axis] == 0.0;
 }
 
-bool fits_period(const Rectangle& rectangle, int axis, double period, double range) {
-  const double length = rectangle.upper[axis] - rectangle.lower[axis];
+/// A rectangle either spans the period or leaves room.
+bool fits_period(const Rectangle& rectangle, int axis, const Domain& domain, double range) {
+  const double period = domain.extent()[axis], length = rectangle.upper[axis] - rectangle.lower[axis];
   return length >= period || period - length >= range;
 }
 
-bool fits_period(const Cylinder& cylinder, int axis, double, double) {
-  return cylinder.axis.cwiseAbs() == Vec3::Unit(axis);
+/// A cylinder lies along the axis, or across it with all its contacts within the period.
+bool fits_period(const Cylinder& cylinder, int axis, const Domain& domain, double range) {
+  if (cylinder.axis.cwiseAbs() == Vec3::Unit(axis)) return true;
+  const double around = cylinder.radius + (cylinder.side == Cylinder::Side::outside ? 0.5 * range : 0.0);
+  const double centre = cylinder.point[axis];
+  return cylinder.axis[axis] == 0.0 && centre - around >= domain.lower[axis] &&
+         centre + around <= domain.upper[axis];
+}
+
+/// Within its period a cylinder must stay.
+bool stays(const Wall& wall, int axis) {
+  const auto* cylinder = std::get_if<Cylinder>(&wall.shape);
+  if (!cylinder || cylinder->axis[axis] != 0.0) return true;
+  return std::visit(Overloaded{[&](const Translating& motion) { return motion.velocity[axis] == 0.0; },
+                               [&](const Vibrating& motion) { return motion.amplitude[axis] == 0.0; },
+                               [](const auto&) { return true; }},
+                    wall.motion);
 }
 
 Support walls_fit_periods(const Scene& scene) {
@@ -46,12 +62,13 @@ Support walls_fit_periods(const Scene& scene) {
   for (const Wall& wall : scene.walls)
     for (int axis = 0; axis < 3; ++axis) {
       if (!scene.domain.periodic(axis)) continue;
-      const double period = scene.domain.extent()[axis];
-      if (std::visit([&](const auto& shape) { return fits_period(shape, axis, period, range); }, wall.shape))
-        continue;
-      return Support::no("the wall '" + wall.name + "' does not fit the periodic " + axis_names[axis] +
-                         " axis: a plane must lie along it, a cylinder's axis be parallel to it, a rectangle "
-                         "span it or leave a gap as wide as the largest particle");
+      const auto fits = [&](const auto& shape) { return fits_period(shape, axis, scene.domain, range); };
+      if (std::visit(fits, wall.shape) && stays(wall, axis)) continue;
+      return Support::no(
+          "the wall '" + wall.name + "' does not fit the periodic " + axis_names[axis] +
+          " axis: a plane must lie along it, a rectangle span it or leave a gap as wide as the largest "
+          "particle, a cylinder lie along it or across it with its contacts within the period, "
+          "where it must stay");
     }
   return {};
 }

@@ -46,10 +46,10 @@ class SimpleTouch {
 };
 
 /// Any laws; torques go straight to the bodies.
-template <bool turning, class Log>
+template <bool turning, bool is_cohesive, class Log>
 class AnyTouch {
  public:
-  static constexpr bool cohesive = true;
+  static constexpr bool cohesive = is_cohesive;
 
   AnyTouch(const Walls& walls, Bodies& bodies, ContactHistory& history, Log& log)
       : walls_(walls), bodies_(bodies), history_(history), log_(log) {}
@@ -60,7 +60,8 @@ class AnyTouch {
     if (meet.overlap > 0.0)
       force = contact(laws, meet,
                       {meet.normal, meet.overlap, relative_velocity, effective_mass, effective_radius(meet)});
-    return force + attraction(laws, meet, log_);
+    if constexpr (cohesive) force += attraction(laws, meet, log_);
+    return force;
   }
 
  private:

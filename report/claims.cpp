@@ -115,6 +115,8 @@ std::string title(const Claim& claim) {
   if (claim.samples > 1)
     text += ", " + std::string(name_of(claim.statistic)) + " of " + std::to_string(claim.samples);
   if (!claim.against.empty()) text += ", against " + claim.against;
+  if (claim.statistic == Statistic::band)
+    return text + "; differences of the means in units of their 99.9 % band";
   return quantity ? text + "; errors relative to " + std::string(quantity->relative_to) : text;
 }
 

@@ -37,9 +37,10 @@ ContactLaws laws_of(const PairGas& gas) {
   return laws;
 }
 
-/// Time scale that steps are counted in: of the largest spheres.
+/// Time scale that steps are counted in: of the largest spheres; never a whole number of steps where all are
+/// alike.
 double longest_contact(const PairGas& gas) {
-  const double largest = (gas.oblique ? 1.0 : 1.2) * diameter;
+  const double largest = (gas.oblique ? 1.03 : 1.2) * diameter;
   return contact_time(0.5 * sphere_mass(largest), gas.restitution);
 }
 

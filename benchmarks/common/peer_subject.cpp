@@ -80,7 +80,7 @@ void PeerSubject::measure(benchmark::State& state) {
     state.counters["step_s"] = step_s;
     state.counters["cundall_number"] = particles / step_s;
     state.counters["bytes_per_particle"] = bytes_ / particles;
-    state.counters["skin"] = skin_;
+    state.counters["skin_m"] = skin_;
   } catch (const std::exception& failure) {
     state.SkipWithError(failure.what());
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmarks/common/settled_tile.hpp"
 
+#include <unistd.h>
+
 #include <array>
 #include <fstream>
 #include <iostream>
@@ -88,10 +90,10 @@ std::vector<Vec3> read_positions(const fs::path& file) {
   return positions;
 }
 
-/// Under another name first, so that another program never reads half of it.
+/// Under a name of its own first, so that another program never reads half of it.
 void write_positions(const fs::path& file, const std::vector<Vec3>& positions) {
   fs::create_directories(file.parent_path());
-  const fs::path unfinished = file.string() + ".part";
+  const fs::path unfinished = file.string() + "." + std::to_string(getpid());
   std::ofstream out(unfinished);
   out.precision(std::numeric_limits<double>::max_digits10);
   for (const Vec3& p : positions) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';

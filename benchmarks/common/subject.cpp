@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmarks/common/subject.hpp"
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 double resident_bytes() {
+  malloc_trim(0);  // what earlier subjects have given back must not look like room that costs nothing
   std::ifstream statistics("/proc/self/statm");
   double total = 0.0, resident = 0.0;
   statistics >> total >> resident;
@@ -54,6 +56,7 @@ void Subject::start() {
     throw InputRefused("unsupported: " + support.because);
   warm_up();
   particles_ = static_cast<double>(scene.particles.size());
+  skin_ = scene.run.skin;
   const double before = resident_bytes();
   run_ = dynamic_cast<SteppingEngine&>(*engine_).start(scene, request_);
   timed_advance(warm_up_steps);
@@ -108,6 +111,8 @@ void Subject::measure(benchmark::State& state) {
     state.counters["cundall_number"] = particles_ * steps / seconds;
     state.counters["rebuilds"] = static_cast<double>(after.list_rebuilds - before.list_rebuilds);
     state.counters["listed_pairs"] = static_cast<double>(after.listed_pairs) / particles_;
+    if (++measured_ == settings_.rounds) run_.reset();
+    if (skin_ >= 0.0) state.counters["skin_m"] = skin_;
     state.counters["bytes_per_particle"] = bytes_per_particle_;
   } catch (const std::exception& failure) {
     failure_ = failure.what();

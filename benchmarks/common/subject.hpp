@@ -13,7 +13,8 @@
 
 namespace grainproof::bench {
 
-/// A run that is measured again and again: started and warmed up when first asked for, then going on.
+/// A run that is measured again and again: started and warmed up when first asked for, then going on until it
+/// has been measured in every round.
 class Subject {
  public:
   using MakeScene = std::function<Scene(std::int64_t particles)>;
@@ -44,8 +45,10 @@ class Subject {
   std::unique_ptr<Run> run_;
   std::string failure_;
   double particles_ = 0.0;
+  double skin_ = -1.0;  ///< m; negative leaves it to the engine
   double bytes_per_particle_ = 0.0;
   std::int64_t steps_ = 0;
+  int measured_ = 0;
 };
 
 /// "opencl:single" as "engine:opencl/precision:single"; an engine without a choice computes in double.

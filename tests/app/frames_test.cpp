@@ -100,6 +100,18 @@ TEST(Frames, HaveAngularVelocitiesWhereBodiesTurn) {
   EXPECT_EQ(std::string(report::csv_header(scene)), "time,id,x,y,z,vx,vy,vz,wx,wy,wz\n");
 }
 
+TEST(Frames, HaveOrientationsWhereTheSceneKeepsThem) {
+  Scene scene = two_spheres();
+  scene.orientation = OrientationUpdate::exponential;
+  Frame frame = frame_of(scene, 3);
+  frame.orientation = {Quaternion(0.5, -0.5, 0.5, 0.5), Quaternion(1.0, 0.0, 0.0, 1.0 / 7.0)};
+  const ptree piece = parsed(report::vtp_text(scene, frame)).get_child("VTKFile.PolyData.Piece");
+  EXPECT_EQ(numbers_of(piece.get_child("PointData"), "orientation"),
+            (std::vector<double>{0.5, -0.5, 0.5, 0.5, 1.0, 0.0, 0.0, 1.0 / 7.0}));
+  EXPECT_NE(report::csv_text(scene, frame).find(",0.5,-0.5,0.5,0.5\n"), std::string::npos);
+  EXPECT_EQ(report::csv_header(scene), "time,id,x,y,z,vx,vy,vz,qw,qx,qy,qz\n");
+}
+
 TEST(FrameWriter, RefusesAFolderItCannotWriteTo) {
   EXPECT_THROW(report::FrameWriter("/proc/nowhere", two_spheres(), true), std::filesystem::filesystem_error);
 }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "tests/app/program.hpp"
@@ -54,6 +57,32 @@ TEST(RunCommand, SummaryHasWhatItsReadersNeed) {
   EXPECT_TRUE(summary["ledger"]["final"].contains("dissipated_normal"));
   for (const char* key : {"steps", "wall_s", "rebuilds", "contacts", "machine"})
     EXPECT_TRUE(summary.contains(key)) << key;
+}
+
+TEST(RunCommand, WritesWhatWallsGiveBetweenFrames) {
+  const Scratch scratch;
+  const std::string out = scratch.path("out").string();
+  ASSERT_EQ(run_program("run settling --out " + out).code, 0);
+  const auto lines = lines_of(text_of(out + "/walls.csv"));
+  const auto summary = json_of(out + "/summary.json");
+  ASSERT_EQ(lines.size(), summary["frames"].get<std::size_t>());  // a header, and no line for the first frame
+  EXPECT_EQ(lines.front(), "time,wall,fx,fy,fz,tx,ty,tz");
+  std::string last = lines.back();
+  std::replace(last.begin(), last.end(), ',', ' ');
+  std::istringstream words(last);
+  std::string time, wall;
+  double fx = 0.0, fy = 0.0, fz = 0.0;
+  words >> time >> wall >> fx >> fy >> fz;
+  const double weight = 2000.0 * std::numbers::pi * 1e-3 / 6.0 * 9.81;
+  EXPECT_NEAR(std::hypot(fx, fy, fz) / weight, 1.0, 1e-6);  // at rest the floor carries it
+}
+
+TEST(RunCommand, KeepsNoLedgerWhereNoneIsWanted) {
+  const Scratch scratch;
+  const std::string out = scratch.path("out").string();
+  ASSERT_EQ(run_program("run settling --no-ledger --out " + out).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(out + "/walls.csv"));
+  EXPECT_TRUE(json_of(out + "/summary.json")["ledger"].is_null());
 }
 
 TEST(RunCommand, ThatGoesWrongSaysWhereKeepsTheLastGoodFrameAndExitsWithThree) {

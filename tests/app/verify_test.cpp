@@ -101,6 +101,37 @@ TEST(VerifyCommand, WritesAPageThatNeedsNothingElse) {
   EXPECT_TRUE(std::filesystem::exists(out + "/results.json"));
 }
 
+/// A folder of data with three cases, one of each tier.
+std::string tiers_of(const Scratch& scratch) {
+  for (const char* tier : {"quick", "standard", "bulk"}) {
+    const std::filesystem::path file = scratch.path("scenes") / (std::string(tier) + "_case.toml");
+    std::filesystem::create_directories(file.parent_path());
+    std::string text = text_of("scenes/settling.toml");
+    std::ofstream(file) << text.insert(text.find("[run]"), std::string("tier = \"") + tier + "\"\n");
+  }
+  std::filesystem::create_directories(scratch.path("kernels"));
+  return "GRAINPROOF_DATA=" + scratch.path("").string();
+}
+
+TEST(VerifyCommand, RunsTheTiersAskedForAndNamesTheCasesItLeavesOut) {
+  const Scratch scratch;
+  const std::string data = tiers_of(scratch);
+  const auto lines_about = [&](const std::string& flags) {
+    return run_program("verify --engines reference " + flags, data);
+  };
+  const Ended quick = lines_about("--quick");
+  EXPECT_EQ(quick.out.find("standard_case"), std::string::npos) << quick.out;
+  EXPECT_NE(quick.err.find("left out: standard_case; without --quick"), std::string::npos) << quick.err;
+  const Ended plain = lines_about("");
+  EXPECT_NE(plain.out.find("standard_case"), std::string::npos) << plain.out << plain.err;
+  EXPECT_NE(plain.err.find("left out: bulk_case; --bulk"), std::string::npos) << plain.err;
+  const Ended all = lines_about("--bulk");
+  EXPECT_NE(all.out.find("bulk_case"), std::string::npos) << all.out;
+  EXPECT_EQ(all.err.find("left out"), std::string::npos) << all.err;
+  EXPECT_NE(lines_about("bulk_case").out.find("bulk_case"), std::string::npos);
+  EXPECT_EQ(lines_about("--quick --bulk").code, 2);
+}
+
 TEST(VerifyCommand, JudgesAnExternalProgram) {
   const Scratch scratch;
   const std::string program =

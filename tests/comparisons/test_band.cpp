@@ -75,6 +75,21 @@ TEST(Band, RowSaysBothMeansAndHoldsTheirDifferenceAgainstOneBand) {
   EXPECT_NE(far.reason.find("bands"), std::string::npos) << far.reason;
 }
 
+TEST(Band, OfSamplesOfWhichOneFailedIsNoNumber) {
+  Case subject = seeded();
+  subject.scenes[3].scene.title = "spoilt";
+  Rebounder other(0.1, 1.0);
+  Rebounder engine(0.2, 1.0);
+  engine.spoil = [](const Scene& scene, Observations& seen) {
+    if (scene.title == "spoilt")
+      seen.outcome = {Outcome::Status::went_wrong, "out of the domain", 7, 0.1, {2}};
+  };
+  const Row row = judge(subject, engine, [&](const std::string&) { return &other; }).at(0);
+  EXPECT_EQ(row.verdict, Verdict::fail);
+  EXPECT_TRUE(std::isnan(row.error));
+  EXPECT_NE(row.reason.find("sample 3"), std::string::npos) << row.reason;
+}
+
 TEST(Band, OfACurveIsImpossible) {
   Case subject = seeded();
   subject.expectations[0].quantity = "position";

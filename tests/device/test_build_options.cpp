@@ -58,6 +58,17 @@ TEST(BuildOptions, RotationHistoryAndHertzAreLeftOutUnlessASceneHasThem) {
   EXPECT_FALSE(options_of(varied_scene("history")).rotation);
 }
 
+TEST(BuildOptions, RollingMovingWallsAndOrientationsAreLeftOutUnlessASceneHasThem) {
+  const auto plain = files_of(options_of(varied_scene("turning_liggghts"), {}, false));
+  for (const char* absent : {"rolling.cl", "rolling_spring.cl", "rolling_constant.cl", "walls_moving.cl",
+                             "cylinders.cl", "orientation_kept.cl", "booking.cl"})
+    EXPECT_FALSE(has(plain, absent)) << absent;
+  const auto drum = files_of(options_of(varied_scene("drum")));
+  for (const char* there : {"rolling.cl", "rolling_spring.cl", "rolling_constant_none.cl", "walls_moving.cl",
+                            "cylinders.cl", "orientation_exponential.cl"})
+    EXPECT_TRUE(has(drum, there)) << there;
+}
+
 TEST(BuildOptions, WallsOutOfReachAreLeftOut) {
   Scene scene = head_on_scene(0.8, 64);
   scene.walls = {{"below", 0, Plane{{0, 0, -1.06}, Vec3::UnitZ()}},

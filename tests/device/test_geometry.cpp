@@ -138,6 +138,26 @@ TEST_P(Geometry, UnequalFreePairKeepsItsMomentum) {
   EXPECT_GT(last.velocity[1].x(), 1.0);
 }
 
+/// A float knows a distance of 0.7 m to 4e-8 m, which is 4 % of this dent.
+TEST_P(Geometry, ADentInACylinderIsKnownAsExactlyAsInAPlane) {
+  for (const auto side : {Cylinder::Side::inside, Cylinder::Side::outside})
+    for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(Vec3(1, -2, 3).normalized())}) {
+      const double radius = 0.7, dent = 1e-6;
+      const bool inside = side == Cylinder::Side::inside;
+      const Vec3 point(0.1, -0.05, 0.02), away = axis.cross(Vec3(0.3, 1, 0)).normalized();
+      Scene scene = empty_scene(0.8);
+      scene.walls = {{"cylinder", 0, Cylinder{point + 0.3 * axis, axis, radius, side}}};
+      const double distance = inside ? radius - 0.05 + dent : radius + 0.05 - dent;
+      scene.particles = {sphere(0, point + distance * away, Vec3::Zero())};
+      scene.run.integrator = Integrator::euler_trapezoid;
+      const Vec3 gained = last_frame(scene, scene.run.step).velocity[0];
+      const double mass = sphere_mass(density, diameter);
+      const Vec3 expected = stiffness * dent / mass * scene.run.step * (inside ? Vec3(-away) : away);
+      // The dent itself is a difference of doubles near 1 m.
+      EXPECT_LE((gained - expected).norm(), (roundings(32) + 1e-9) * expected.norm()) << inside;
+    }
+}
+
 GRAINPROOF_IN_BOTH_PRECISIONS(Geometry);
 
 }  // namespace

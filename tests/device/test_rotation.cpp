@@ -159,6 +159,49 @@ TEST_P(Rotation, AngularMomentumOfAFreeGasIsKeptWithArmsThatMeet) {
   EXPECT_GT((seen.frames.back().angular_velocity[7] - seen.frames.front().angular_velocity[7]).norm(), 1e-3);
 }
 
+/// What a scene says and the engine cannot do is refused, each with its reason.
+TEST_P(Rotation, WhatCannotBeIsRefusedWithItsReason) {
+  const OpenClEngine engine(options_for(GetParam()));
+  const Scene pair = spinning_pair(0, 100, TorqueArm::radius);
+  const auto because = [&](const auto& change) {
+    Scene scene = pair;
+    change(scene);
+    return engine.supports(scene, {}).because;
+  };
+  const auto says = [](const std::string& answer, const char* text) {
+    return answer.find(text) != std::string::npos;
+  };
+  const Rectangle sheet{{-0.5, -0.5, -0.5}, {0.5, 0.5, -0.5}};
+  const Cylinder tube{Vec3::Zero(), Vec3::UnitZ(), 0.04, Cylinder::Side::inside};
+  EXPECT_TRUE(engine.supports(pair, {}));
+  EXPECT_TRUE(says(because([&](Scene& s) { s.walls = {{"sheet", 0, sheet, Rotating{1.0}}}; }), "rectangle"));
+  EXPECT_TRUE(says(because([&](Scene& s) { s.walls = {{"tube", 0, tube}}; }), "does not fit"));
+  EXPECT_TRUE(says(because([](Scene& s) {
+                     s.remembered = {{0, 7, 0, Vec3::Zero()}};
+                   }),
+                   "not both are there"));
+  EXPECT_TRUE(says(because([](Scene& s) {
+                     s.particles[1].position.x() = 0.5;
+                     s.remembered = {{0, 1, 0, Vec3(0, 1e-6, 0)}};
+                   }),
+                   "do not touch"));
+  EXPECT_TRUE(says(because([](Scene& s) {
+                     s.remembered = {{0, 1, 0, Vec3::Zero(), 0.0, Vec3(1, 0, 0)}};
+                   }),
+                   "do not keep"));
+  EXPECT_TRUE(says(because([](Scene& s) {
+                     s.contacts.set(0, 0,
+                                    {LinearNormal{stiffness, Restitution{0.8}}, Frictionless{}, NoCohesion{},
+                                     SpringRolling{0.1}});
+                   }),
+                   "friction with history"));
+  EXPECT_TRUE(says(because([](Scene& s) {
+                     s.rotation = false;
+                     s.orientation = OrientationUpdate::exponential;
+                   }),
+                   "rotation"));
+}
+
 GRAINPROOF_IN_BOTH_PRECISIONS(Rotation);
 
 TEST(Inertia, IsTwoFifthsOfMassTimesRadiusSquared) {

@@ -203,7 +203,7 @@ Scene of_hertz_and_springs(int layers) {
   for (Particle& p : scene.particles)
     if (p.id % 7 == 0) {
       p.fixed = true;
-      p.angular_velocity = Vec3::Zero();
+      p.velocity = p.angular_velocity = Vec3::Zero();
     }
   return scene;
 }

@@ -60,6 +60,7 @@ std::vector<Row> rows_with(const fs::path& kernels, const KernelFault& fault) {
   options.precision = fault.precision;
   options.kernels = kernels;
   options.path = fault.path;
+  if (fault.skin >= 0.0) options.skin = fault.skin;
   opencl::OpenClEngine engine(options);
   return judged(fs::path("scenes") / (std::string(fault.scene) + ".toml"), engine);
 }

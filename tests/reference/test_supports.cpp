@@ -155,7 +155,14 @@ TEST(Supports, CylinderFollowsThePeriodAndHoldsTheLargestParticle) {
   scene.domain.boundary[0] = Boundary::periodic;
   scene.walls.push_back({"pipe", 0, Cylinder{Vec3::Zero(), Vec3::UnitX(), 0.5, Cylinder::Side::inside}});
   EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
-  scene.walls[0].shape = Cylinder{Vec3::Zero(), Vec3::UnitY(), 0.5, Cylinder::Side::inside};
+  scene.walls[0].shape = Cylinder{Vec3::Zero(), Vec3(0.6, 0.8, 0.0), 0.5, Cylinder::Side::inside};
+  expect_refused(scene, "periodic x axis");
+  scene.walls[0].shape = Cylinder{Vec3::Zero(), Vec3::UnitY(), 10.0, Cylinder::Side::inside};
+  EXPECT_TRUE(reference::ReferenceEngine().supports(scene, {}));
+  scene.walls[0].motion = Translating{{0.1, 0.0, 0.0}};
+  expect_refused(scene, "periodic x axis");
+  scene.walls[0].motion = Still{};
+  scene.walls[0].shape = Cylinder{Vec3::Zero(), Vec3::UnitY(), 9.95, Cylinder::Side::outside};
   expect_refused(scene, "periodic x axis");
   scene.walls[0].shape = Cylinder{Vec3::Zero(), Vec3::UnitX(), 0.1, Cylinder::Side::inside};
   expect_refused(scene, "does not fit into the cylinder");

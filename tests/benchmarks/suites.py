@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: 2026 The Grainproof authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs one suite of `grainproof bench` with tiny sizes and checks what it leaves: suites.py PROGRAM SUITE CACHE.
+
+No time that was measured decides anything here.
+"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+# Of each suite: what a row names, what it measures, the pictures that must be there.
+SUITES = {
+    "scaling": ({"scene", "engine", "precision", "size"}, {"particles", "step_s", "cundall_number",
+                "bytes_per_particle"}, {"scaling_bed", "scaling_gas"}),
+    "cundall": ({"scene", "engine", "precision", "threads"}, {"particles", "steps", "cundall_number", "cundall_min",
+                "cundall_max", "bytes_per_particle", "bandwidth_share", "flops_share"},
+                {"cundall_bed_900", "cundall_gas_900"}),
+    "neighbours": ({"what", "engine", "precision"}, set(), {"neighbours_size", "neighbours_skin_bed_900",
+                   "neighbours_skin_gas_900"}),
+    "features": ({"scene", "engine", "precision", "feature", "with"}, {"step_s", "cundall_number"},
+                 {"features_bed_900", "features_gas_900"}),
+    "layout": ({"what", "way"}, {"particles", "ns_a_particle"}, {"layout"}),
+    "peers": ({"scene", "engine", "precision", "processes"}, {"particles", "steps", "cundall_number", "cundall_min",
+              "cundall_max", "bytes_per_particle"}, {"peers_bed_900", "peers_gas_900", "peers_ratios"}),
+    "accuracy": ({"scene", "engine", "precision", "integrator", "steps_per_contact"}, {"step", "error", "wall_s",
+                 "force_evaluations"}, {f"accuracy_{scene}" for scene in ("head_on", "elastic", "hertz", "oblique",
+                                                                         "pair_gas")}),
+}
+PEERS = {"lammps", "liggghts"}
+
+
+def check(holds, what):
+    if not holds:
+        sys.exit(f"FAIL {what}")
+
+
+def check_row(row, names, measured):
+    check(names <= row.keys(), f"a row lacks {sorted(names - row.keys())}: {row}")
+    if row["status"].startswith("unsupported"):
+        return
+    check(row["status"] == "completed", f"not measured: {row}")
+    for key in measured:
+        value = row.get(key)
+        check(isinstance(value, (int, float)) and math.isfinite(value) and value >= 0.0, f"{key} is {value}: {row}")
+    if "cundall_min" in measured:
+        check(0.0 < row["cundall_min"] <= row["cundall_number"] <= row["cundall_max"], f"no range: {row}")
+
+
+def check_accuracy(rows):
+    """The closed forms must be met: an error that does not fall with the step is no error of the step."""
+    for row in rows:
+        if row["status"] == "completed" and row["integrator"] == "velocity_verlet":
+            check(row["error"] < 0.4 / row["steps_per_contact"], f"too far from the exact solution: {row}")
+
+
+def check_orders(results):
+    """First order with a dashpot, at least: the field's scheme."""
+    orders = [row for row in results["orders"] if row["integrator"] == "velocity_verlet"]
+    check(orders, "no orders")
+    for row in orders:
+        check(row["order"] > 0.7, f"an order below the scheme's: {row}")
+
+
+def check_engines(suite, rows):
+    engines = {row["engine"] for row in rows if row["status"] == "completed"} if suite != "layout" else {"opencl"}
+    check("opencl" in engines, f"opencl was not measured: {engines}")
+    if suite in ("peers", "accuracy"):
+        check(PEERS <= engines, f"peers were not measured: {engines}")
+
+
+def check_pictures(out, pictures):
+    for name in pictures:
+        picture = out / f"{name}.svg"
+        check(picture.is_file(), f"there is no {picture.name}")
+        drawn = xml.parse(picture).getroot()
+        check(len(list(drawn.iter("{http://www.w3.org/2000/svg}path"))) > 5, f"{picture.name} is empty")
+
+
+def main(program, suite, cache):
+    names, measured, pictures = SUITES[suite]
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder)
+        command = [program, "bench", suite, "--quick", "--most", "900", "--rounds", "2", "--seconds", "0.002",
+                   "--engines", "reference,opencl:double", "--cache", cache, "--out", folder]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        check(done.returncode == 0, f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
+        check(suite in done.stdout, f"no table:\n{done.stdout}")
+        results = json.loads((out / "results.json").read_text(encoding="utf-8"))
+        check(results["schema"] == 1 and results["machine"]["processor"], "no schema or machine")
+        rows = [row for row in results["results"] if row["suite"] == suite]
+        check(rows, "no rows")
+        for row in rows:
+            check_row(row, names, measured)
+        check_engines(suite, rows)
+        if suite == "accuracy":
+            check_accuracy(rows)
+            check_orders(results)
+        check_pictures(out, pictures)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
