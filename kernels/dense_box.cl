@@ -5,7 +5,7 @@ typedef struct {
   double4 quantum;       // m a unit of phase along each axis; w: a unit of radius
   double4 lower;         // m, where cells begin
   double4 cell;          // m
-  double4 domain_lower;
+  double4 domain_lower;  // without bound along periodic axes
   double4 domain_upper;
   double4 coarse;        // coarse units a cell
   double4 alike;         // x: σ; y: radius; z: reach of walls and faces at a rebuild, beyond a radius; w: margin of faces

@@ -60,9 +60,8 @@ INLINE int walls_near(const global DenseBox* box, const global DensePlane* plane
     const double4 n = planes[k].normal;
     if (x * n.x + y * n.y + z * n.z - n.w < reach) near |= 1 << k;
   }
-  if ((!box->periodic.x && (x - low.x < margin || high.x - x < margin)) ||
-      (!box->periodic.y && (y - low.y < margin || high.y - y < margin)) ||
-      (!box->periodic.z && (z - low.z < margin || high.z - z < margin)))
+  if (x - low.x < margin || high.x - x < margin || y - low.y < margin || high.y - y < margin || z - low.z < margin ||
+      high.z - z < margin)
     near |= 1 << FACE_BIT;
   return near;
 }

@@ -65,8 +65,6 @@ class DenseImager {
     b.quantum = four(quantum(), radius_unit());
     b.lower = four(grid_.lower);
     b.cell = four(grid_.cell);
-    b.domain_lower = four(scene_.domain.lower);
-    b.domain_upper = four(scene_.domain.upper);
     b.alike = {{2 * radius, radius, 0.51 * skin, 0.51 * skin}};
     b.metre = four_of<P>(quantum(), radius_unit());
     b.drift = four_of<P>(quantum().cwiseInverse() * step);
@@ -82,6 +80,9 @@ class DenseImager {
       b.cells.s[axis] = grid_.cells[k];
       b.zones.s[axis] = grid_.zone_counts[k];
       b.periodic.s[axis] = grid_.periodic[k];
+      // Nothing leaves through a periodic face, though a place may lie beyond it until the next list.
+      b.domain_lower.s[axis] = grid_.periodic[k] ? -HUGE_VAL : scene_.domain.lower[axis];
+      b.domain_upper.s[axis] = grid_.periodic[k] ? HUGE_VAL : scene_.domain.upper[axis];
     }
     b.counts = {{static_cast<cl_int>(scene_.particles.size()),
                  static_cast<cl_int>(near_walls(scene_).planes.size()),
@@ -198,12 +199,12 @@ DenseBody decoded_as(const DenseRecords& read, std::size_t i, const DenseOptions
                                           read.kept, i / group * numbers * group + k * group + i % group)
                                     : 0.0;
     const long double units = static_cast<long double>(static_cast<Bare>(then)) + moved + part;
-    const long double at = (cells >> (10 * k) & 1023) + std::ldexp(units, -DenseImager<P>::bits);
-    double x = static_cast<double>(grid.lower[axis] + at * grid.cell[axis]);
-    if (grid.periodic[k] && x < grid.lower[axis]) x += grid.extent[axis];
-    if (grid.periodic[k] && x >= grid.lower[axis] + grid.extent[axis])
-      x = std::max(x - grid.extent[axis], grid.lower[axis]);
-    body.position[axis] = x;
+    long double at = (cells >> (10 * k) & 1023) + std::ldexp(units, -DenseImager<P>::bits);
+    if (grid.periodic[k] && at < 0) at += grid.cells[k];
+    if (grid.periodic[k] && at >= grid.cells[k]) at -= grid.cells[k];
+    const double x = static_cast<double>(grid.lower[axis] + at * grid.cell[axis]);
+    const bool rounded_out = grid.periodic[k] && x >= grid.lower[axis] + grid.extent[axis];
+    body.position[axis] = rounded_out ? grid.lower[axis] : x;
   }
   return body;
 }

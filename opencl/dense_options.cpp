@@ -36,9 +36,14 @@ Support contact_supported(const Scene& scene, std::size_t a, std::size_t b) {
 
 Support walls_supported(const Scene& scene) {
   if (scene.walls.size() > most_planes) return Support::no("there are more than 30 walls");
-  for (const Wall& wall : scene.walls)
-    if (!std::holds_alternative<Plane>(wall.shape) || !std::holds_alternative<Still>(wall.motion))
+  for (const Wall& wall : scene.walls) {
+    const auto* plane = std::get_if<Plane>(&wall.shape);
+    if (plane == nullptr || !std::holds_alternative<Still>(wall.motion))
       return Support::no("wall " + wall.name + " is not a plane at rest");
+    for (int axis = 0; axis < 3; ++axis)
+      if (scene.domain.periodic(axis) && plane->normal[axis] != 0.0)
+        return Support::no("wall " + wall.name + " is not parallel to a periodic axis");
+  }
   return {};
 }
 

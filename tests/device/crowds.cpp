@@ -39,8 +39,11 @@ Scene crowded_scene(const Crowd& crowd) {
       0, 0, {LinearNormal{stiffness, Restitution{0.8}, crowd.no_tension}, crowd.friction, NoCohesion{}});
   add_walls(scene);
   for (int i = 0; i < crowd.across * crowd.across * crowd.layers; ++i) {
-    const Vec3 site(i % crowd.across + 0.5, i / crowd.across % crowd.across + 0.5,
-                    i / (crowd.across * crowd.across) + 0.5);
+    Vec3 site(i % crowd.across + 0.5, i / crowd.across % crowd.across + 0.5,
+              i / (crowd.across * crowd.across) + 0.5);
+    // Those of the first layer stand on a periodic face, so that many cross it.
+    for (int axis = 0; axis < 3; ++axis)
+      if (scene.domain.periodic(axis)) site[axis] -= 0.48;
     const double d = diameter * between(1.0 - crowd.spread, 1.0);
     Particle p = sphere(2 * i + 1, scene.domain.lower + spacing * site + vector(0.001), vector(1.0), d);
     if (crowd.rotation) p.angular_velocity = vector(20.0);

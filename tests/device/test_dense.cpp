@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -174,7 +176,8 @@ TEST(DenseRun, GrowsItsRowsForABigOneAmongMany) {
 /// A copy of the kernels with one mistake in it.
 std::filesystem::path kernels_with(const std::string& file, const std::string& right,
                                    const std::string& wrong) {
-  const auto folder = std::filesystem::temp_directory_path() / ("grainproof-dense-with-" + file);
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("grainproof-dense-" + std::to_string(getpid()) + "-" + file);
   std::filesystem::remove_all(folder);
   std::filesystem::copy(GRAINPROOF_KERNELS, folder);
   std::ifstream original(folder / file);

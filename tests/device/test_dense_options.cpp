@@ -75,13 +75,16 @@ TEST(DensePath, LeavesOtherWallsAndMaterialsToTheZonedPath) {
   scene.walls[0].motion = Translating{{1, 0, 0}};
   expect_refused(scene, "not a plane at rest");
   scene = crowded_scene({});
+  scene.walls[0].shape = Plane{Vec3::Zero(), Vec3(0.6, 0.0, 0.8)};
+  expect_refused(scene, "not parallel to a periodic axis");
+  scene = crowded_scene({});
   scene.materials.push_back({"lead", 11000.0});
   scene.particles[5].material = 1;
   expect_refused(scene, "more than one material");
 }
 
 TEST(DensePath, NeedsAPeriodicBoxOfFiveReaches) {
-  expect_refused(crowded_scene({.across = 4}), "shorter than five reaches");
+  expect_refused(crowded_scene({.across = 3}), "shorter than five reaches");
 }
 
 TEST(DenseOptions, FollowFromTheSceneAlone) {
