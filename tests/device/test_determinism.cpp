@@ -159,6 +159,34 @@ TEST_P(HistoryBits, DoNotDependOnThreadsWorkGroupOrHowStepsAreAskedFor) {
   EXPECT_EQ(one.output, all.output);
 }
 
+/// A scene that starts from where another run has come.
+Scene going_on_from(Scene scene, const State& state) {
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    scene.particles[i].position = state.position[i];
+    scene.particles[i].velocity = state.velocity[i];
+    scene.particles[i].angular_velocity = state.angular_velocity[i];
+  }
+  scene.remembered = state.contacts;
+  return scene;
+}
+
+TEST_P(HistoryBits, OfContactsThatRememberFromTheStartAreTheSameOnBothPaths) {
+  for (const char* name : {"turning_liggghts", "paddle"}) {
+    Scene scene = varied_scene(name);
+    scene.walls.resize(name == std::string("paddle") ? 0 : scene.walls.size());
+    OpenClEngine engine(with_path(GetParam(), Path::small));
+    const auto run = engine.start(scene, {});
+    run->advance(varied_steps / 2);
+    const Scene later = going_on_from(scene, run->state());
+    ASSERT_GT(later.remembered.size(), 3u);
+    const std::uint64_t small = digest_of(with_path(GetParam(), Path::small), later);
+    EXPECT_EQ(digest_of(with_path(GetParam(), Path::zoned), later), small) << name;
+    Scene forgetful = later;
+    forgetful.remembered.clear();
+    EXPECT_NE(digest_of(with_path(GetParam(), Path::small), forgetful), small) << name;
+  }
+}
+
 TEST_P(HistoryBits, AreOfTheSpringsToo) {
   const Scene scene = varied_scene("turning_liggghts");
   OpenClEngine engine(with_path(GetParam(), Path::zoned));
