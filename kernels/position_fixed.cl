@@ -239,7 +239,9 @@ INLINE bool displace(Position* p, real3 velocity, real drift) {
 }
 
 INLINE void wrap_axis(int* whole, float* part, int extent, int period, float period_part) {
-  const int turns = (*whole >= extent) - (*whole < 0);
+  // To the fraction of a quantum: half a quantum below the upper face is no place below the lower one.
+  const float beyond_upper = (float)(*whole - extent) + (*part - period_part);
+  const int turns = (beyond_upper >= 0) - (*whole < 0);
   *whole -= turns * period;
   carry(whole, part, -(float)turns * period_part);
 }

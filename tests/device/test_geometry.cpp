@@ -62,6 +62,21 @@ TEST_P(Geometry, AParticleCrossesPeriodicFacesWithoutLosingItsWay) {
   EXPECT_LE((last.position[0] - expected).norm(), roundings(14 * steps));
 }
 
+TEST_P(Geometry, AParticleMayStopAnywhereOnAPeriodicFace) {
+  // The extent is no whole number of single precision's quanta, the centres a twentieth of a quantum apart.
+  constexpr double quantum = 0x1p-30 * 0.03;
+  Scene scene = empty_scene(0.8);
+  scene.domain = {
+      Vec3(0, 0, 0), Vec3(0.007, 0.03, 0.007), {Boundary::periodic, Boundary::open, Boundary::open}};
+  scene.run.step = scene.run.end = 2e-6;
+  for (int i = 0; i < 60; ++i)
+    scene.particles.push_back(
+        sphere(i, {0.007 - 4e-8 + 0.05 * (i - 30) * quantum, 4e-4 * (i + 1), 0.003}, {0.02, 0, 0}, 1e-4));
+  const Frame last = last_frame(scene, scene.run.end);
+  for (const Vec3& x : last.position)
+    EXPECT_LE(std::min(std::abs(x.x()), std::abs(x.x() - 0.007)), 3 * quantum) << x.x();
+}
+
 /// Thrown at the point `target` along `line`; with restitution 0.8 it comes back along the same line.
 void expect_rebound(const Frame& last, const Vec3& line, double tolerance) {
   const Vec3 expected_direction = -line;
