@@ -63,11 +63,12 @@ TEST_P(Geometry, AParticleCrossesPeriodicFacesWithoutLosingItsWay) {
 }
 
 TEST_P(Geometry, AParticleMayStopAnywhereOnAPeriodicFace) {
-  // The extent is no whole number of single precision's quanta, the centres a twentieth of a quantum apart.
-  constexpr double quantum = 0x1p-30 * 0.03;
+  // The extent is 0.44 over a whole number of single precision's quanta; centres are a twentieth of one
+  // apart.
+  constexpr double quantum = 0x1p-30 * 0.036;
   Scene scene = empty_scene(0.8);
   scene.domain = {
-      Vec3(0, 0, 0), Vec3(0.007, 0.03, 0.007), {Boundary::periodic, Boundary::open, Boundary::open}};
+      Vec3(0, 0, 0), Vec3(0.007, 0.036, 0.007), {Boundary::periodic, Boundary::open, Boundary::open}};
   scene.run.step = scene.run.end = 2e-6;
   for (int i = 0; i < 60; ++i)
     scene.particles.push_back(
