@@ -62,8 +62,6 @@ INLINE Vectors holding_force(Vectors* spring, Vectors slip, Meeting m, reals pre
       *spring = chosen(slides, scaled(less(force, damped), (reals)(compliance)), trial);
     }
   }
-  // Before the first step nothing is stretched.
-  if (!(duration > 0)) *spring = vectors(0, 0, 0);
   return force;
 }
 
