@@ -11,11 +11,12 @@
 namespace grainproof::opencl {
 namespace {
 
-cl_int face_left(const Vec3& x, const Domain& domain) {
+/// `rounding`: the device decides without what is below a unit of position.
+cl_int face_left(const Vec3& x, const Domain& domain, const Vec3& rounding) {
   for (int axis = 0; axis < 3; ++axis) {
     if (domain.periodic(axis)) continue;
-    if (x[axis] < domain.lower[axis]) return 2 * axis;
-    if (x[axis] > domain.upper[axis]) return 2 * axis + 1;
+    if (x[axis] < domain.lower[axis] + rounding[axis]) return 2 * axis;
+    if (x[axis] > domain.upper[axis] - rounding[axis]) return 2 * axis + 1;
   }
   return -1;
 }
@@ -42,7 +43,7 @@ void DenseRun::tell_what_went_wrong(cl_int step, bool escaped) {
   if (escaped) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Vec3 moved = all[i].velocity.cwiseAbs() * scene_.run.step;
-      const cl_int face = face_left(all[i].position, scene_.domain);
+      const cl_int face = face_left(all[i].position, scene_.domain, grid_.cell * 0x1p-31);
       if (!(moved.array() < grid_.cell.array() / 16.0).all())
         faults[i] = {{step, not_a_number, 0, 0}};
       else if (face >= 0)

@@ -111,8 +111,10 @@ class DenseImager {
   /// How far a list looks, with room for the rounding of coarse places.
   void set_search(DenseBox<P>& b, double diameter) const {
     const double unit = std::ldexp(grid_.extent.maxCoeff(), -32);
-    const double reach = grid_.skin + 8.0 * unit + 1e-6 * (2 * grid_.largest_radius + grid_.skin);
-    const double near = std::min(0.02 * diameter, grid_.skin);
+    const double margin = 8.0 * unit + 1e-6 * (2 * grid_.largest_radius + grid_.skin);
+    const double reach = grid_.skin + margin;
+    // Springs are carried over for near partners alone: whoever touches is one, at any skin.
+    const double near = std::min(0.02 * diameter, grid_.skin) + margin;
     for (int axis = 0; axis < 3; ++axis)
       b.coarse_metre.s[axis] = static_cast<cl_float>(std::ldexp(grid_.extent[axis], -32));
     b.coarse_metre.s[3] = static_cast<cl_float>(reach);

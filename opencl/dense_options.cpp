@@ -13,6 +13,8 @@ namespace {
 
 /// Walls are bits of a mask, kernels/dense_box.cl.
 constexpr std::size_t most_planes = 30;
+/// What the unit of force is made for: DenseImager::sum_unit.
+constexpr double most_friction = 4.0;
 
 Support dynamics_supported(const Scene& scene, const Request& request) {
   if (request.ledger) return Support::no("the ledger is kept by the zoned path");
@@ -31,6 +33,10 @@ Support contact_supported(const Scene& scene, std::size_t a, std::size_t b) {
   if (!std::holds_alternative<LinearNormal>(laws.normal)) return Support::no("a contact is not linear");
   if (!std::holds_alternative<NoCohesion>(laws.cohesion)) return Support::no("there is cohesion");
   if (!std::holds_alternative<NoRolling>(laws.rolling)) return Support::no("there is rolling resistance");
+  const PairCoefficients c = coefficients_of(scene, a, b);
+  if (std::max(c.friction, c.history.coefficient) > most_friction)
+    return Support::no(
+        "a coefficient of friction is above 4, for which sums in canonical order have no room");
   return {};
 }
 

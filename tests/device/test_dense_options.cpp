@@ -52,6 +52,14 @@ TEST(DensePath, LeavesOtherLawsToTheZonedPath) {
   expect_refused(scene, "rolling");
 }
 
+TEST(DensePath, LeavesFrictionBeyondItsSumsToTheZonedPath) {
+  Scene scene = crowded_scene({});
+  scene.contacts.set(0, 0, {LinearNormal{stiffness, Restitution{0.8}}, DynamicFriction{4.0}});
+  EXPECT_TRUE(support(scene));
+  scene.contacts.set(0, 0, {LinearNormal{stiffness, Restitution{0.8}}, DynamicFriction{4.1}});
+  expect_refused(scene, "above 4");
+}
+
 TEST(DensePath, LeavesOtherFieldsToTheZonedPath) {
   Scene scene = crowded_scene({});
   scene.gravity = CentralGravity{9.81, Vec3::Zero()};
