@@ -59,7 +59,7 @@ void add_wall_force(const ContactSetting& setting, const Shape& shape, std::size
   const PairLaws& laws = setting.laws.at(stands.material, bodies.material[i]);
   const Vec3 force =
       touch.force_on_second(laws, meet, body.velocity - meet.wall_velocity, 1.0 / body.inverse_mass);
-  log.wall_force(meet, force, surface - stands.reference);
+  log.wall_force(meet, force, arm_to(shape, surface, setting.box));
   bodies.acceleration[i] += force;
 }
 

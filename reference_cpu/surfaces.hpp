@@ -26,6 +26,18 @@ inline Nearest nearest(const Rectangle& rectangle, const Vec3& position, const P
   return {away / distance, distance};
 }
 
+/// From a wall's reference point to a point of its surface next to a body.
+template <class Shape>
+Vec3 arm_to(const Shape& shape, const Vec3& on_surface, const PeriodicBox&) {
+  return on_surface - shape.point;
+}
+
+/// Of the image that the body touches, wherever motion has taken the wall.
+inline Vec3 arm_to(const Rectangle& rectangle, const Vec3& on_surface, const PeriodicBox& box) {
+  const Vec3 centre = 0.5 * (rectangle.lower + rectangle.upper);
+  return box.nearest_image(on_surface - box.inside(centre)) + 0.5 * (rectangle.upper - rectangle.lower);
+}
+
 /// Undefined normal on the axis itself, which is far beyond any overlap limit of a cylinder that holds its
 /// particles.
 inline Nearest nearest(const Cylinder& cylinder, const Vec3& position, const PeriodicBox&) {

@@ -41,6 +41,23 @@ TEST(LedgerOfWalls, AngularImpulseIsTakenAboutTheReferencePoint) {
             1e-11 * impulse);
 }
 
+// As above, on a tray that carries the sphere through the faces of a periodic domain five times: the arm is
+// that to the image it lies on, (0.3, 0.4, 0) all the way.
+TEST(LedgerOfWalls, AngularImpulseOfATrayIsTheSameBeyondAPeriodicFace) {
+  Scene scene = lift();
+  scene.domain = {.lower = {0.0, -1.0, -1.0}, .upper = {1.0, 1.0, 1.0}};
+  scene.domain.boundary[0] = Boundary::periodic;
+  const Vec3 speed(10.0, 0.0, 0.0);
+  scene.walls = {{"tray", 0, Rectangle{{0.2, -0.3, 0.0}, {0.6, 0.4, 0.0}}, Translating{speed}}};
+  scene.particles[0].position += Vec3(0.2, -0.1, 0.0);
+  scene.particles[0].velocity = speed;
+  const auto run = start(scene, true);
+  run->advance(5000);
+  const double impulse = sphere_mass(0.2) * 9.81 * 0.5;
+  EXPECT_LE((run->ledger().wall_angular_impulses.at(0) - impulse * Vec3(0.4, -0.3, 0.0)).norm(),
+            1e-11 * impulse);
+}
+
 ContactLaws everything() {
   return {.normal = HertzNormal{Restitution{0.7}},
           .friction = HistoryFriction{0.4, 0.0, 1.0},
