@@ -67,6 +67,10 @@ inline constexpr std::array kernel_faults{
                 "const real stiffness = (real)0.5 * law.spring * rise.factor", "hertz_memory"},
     KernelFault{"SpringLostAtARebuild", "carry.cl", "known ? old_springs[", "false ? old_springs[",
                 "history_pair", opencl::Precision::double_precision, opencl::Path::zoned, 0.0},
+    KernelFault{"SpringTurnedByTheDistanceAcrossTheBox", "spheres.cl", "  meet(load, c, law);",
+                "  const real3 far = normalize(self.position.at.xyz - other.position.at.xyz);\n"
+                "  c.memory->xyz -= dot(c.memory->xyz, far) * far;\n  meet(load, c, law);",
+                "history_periodic"},
     KernelFault{"WallVelocityIgnored", "walls_common.cl", "self.velocity - c.surface", "self.velocity",
                 "wall_dragging"},
     KernelFault{"MovingWallStaysWhereItIsDrawn", "walls_moving.cl", "return stand.tracked ? plane_through",
