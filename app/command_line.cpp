@@ -58,6 +58,11 @@ void add_verify(CLI::App& program, Command& chosen) {
       command->add_flag("--quick", options->quick, "Only the quick cases: under two minutes on two cores");
   command->add_flag("--bulk", options->bulk, "The cases of 10 000 bodies too: under an hour on two cores")
       ->excludes(quick);
+  command
+      ->add_option("--jobs", options->jobs,
+                   "Cases judged at the same time (default: as many as cores, 4 at most)")
+      ->check(CLI::Range(1, 64))
+      ->type_name("N");
   command->callback(
       [&chosen, options] { chosen = [options](Terminal& terminal) { return verify(*options, terminal); }; });
 }

@@ -27,6 +27,7 @@ std::unique_ptr<Engine> make_oracle(const std::string& against, const EngineSett
 }  // namespace
 
 Engine* OracleTable::find(const std::string& against) {
+  const std::lock_guard lock(mutex_);
   const auto known = made_.find(against);
   if (known != made_.end()) return known->second.get();
   return made_.emplace(against, make_oracle(against, settings_)).first->second.get();

@@ -3,6 +3,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "app/engines.hpp"
@@ -15,10 +16,12 @@ class OracleTable {
   explicit OracleTable(EngineSettings settings) : settings_(std::move(settings)) {}
 
   /// "closed_form:NAME" or "engine:NAME"; null where there is none of that name or it is not available.
+  /// For several threads at once.
   Engine* find(const std::string& against);
 
  private:
   EngineSettings settings_;
+  std::mutex mutex_;
   std::map<std::string, std::unique_ptr<Engine>> made_;
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/case_pool.hpp"
 #include "app/engines.hpp"
 #include "app/exit_code.hpp"
 #include "app/oracles.hpp"
@@ -87,26 +88,31 @@ Row unsupported_row(const Case& subject, const std::string& engine, const std::s
   return row;
 }
 
-std::vector<Row> judge_one(Judge& judge, const Case& subject, Made& made, Progress& progress) {
+std::vector<Row> judge_one(Judge& judge, const Case& subject, const Made& made, const Tell& tell) {
   if (!made.engine) return {unsupported_row(subject, made.name, "not available here: " + made.because)};
   if (made.peer && !subject.no_peers_because.empty())
     return {unsupported_row(subject, made.name, subject.no_peers_because)};
-  progress.begin();
+  const std::string what = subject.name + " on " + made.name;
+  tell([](Progress& progress) { progress.begin(); });
   return judge.rows(*made.engine, [&](std::size_t done, std::size_t total) {
-    progress.show(subject.name + " on " + made.name, static_cast<double>(done) / static_cast<double>(total));
+    const double share = static_cast<double>(done) / static_cast<double>(total);
+    tell([what, share](Progress& progress) { progress.show(what, share); });
   });
 }
 
-std::vector<Row> judge_case(const Case& subject, std::vector<Made>& engines, const Oracles& oracles,
-                            Progress& progress) {
+std::vector<Row> judge_case(const Case& subject, const std::vector<Made>& engines, const Oracles& oracles,
+                            const Tell& tell) {
   Judge judge(subject, oracles);
   std::vector<Row> rows;
-  for (Made& made : engines) {
-    if (!progress.on_terminal()) progress.say(subject.name + " on " + made.name + " …");
-    const std::vector<Row> more = judge_one(judge, subject, made, progress);
+  for (const Made& made : engines) {
+    const std::string line = subject.name + " on " + made.name + " …";
+    tell([line](Progress& progress) {
+      if (!progress.on_terminal()) progress.say(line);
+    });
+    const std::vector<Row> more = judge_one(judge, subject, made, tell);
     rows.insert(rows.end(), more.begin(), more.end());
   }
-  progress.clear();
+  tell([](Progress& progress) { progress.clear(); });
   return rows;
 }
 
@@ -133,16 +139,19 @@ int verify(const VerifyOptions& options, Terminal& terminal) {
   const auto began = std::chrono::steady_clock::now();
   Progress progress(terminal.err, terminal.err_is_terminal, terminal.quiet);
   const fs::path data = data_root();
-  std::vector<Made> engines = engines_asked_for(options, data);
+  const std::vector<Made> engines = engines_asked_for(options, data);
   const std::vector<Case> cases = read_cases(options, data, progress);
   say_what_is_missing(engines, progress);
 
   OracleTable oracles({data, "", options.device});
+  const Oracles find = [&](const std::string& against) { return oracles.find(against); };
+  CasePool pool(
+      cases.size(), options.jobs > 0 ? options.jobs : usual_threads(),
+      [&](std::size_t index, const Tell& tell) { return judge_case(cases[index], engines, find, tell); });
   std::vector<report::CaseReport> reports;
   std::vector<Row> all;
   for (const Case& subject : cases) {
-    const std::vector<Row> rows = judge_case(
-        subject, engines, [&](const std::string& against) { return oracles.find(against); }, progress);
+    const std::vector<Row> rows = pool.next(progress);
     terminal.out << report::case_text(rows, subject.title, terminal.paint()) << std::flush;
     all.insert(all.end(), rows.begin(), rows.end());
     reports.push_back({subject.title, rows});

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opencl/engine.hpp"
 
+#include <mutex>
+
 #include "model/errors.hpp"
 #include "opencl/dense_run.hpp"
 #include "opencl/limits.hpp"
@@ -71,6 +73,14 @@ std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& requ
   if (small) return std::make_unique<SmallRun>(workshop_, scene, build);
   return std::make_unique<ZonedRun>(workshop_, scene, build, choose_zones(scene, skin),
                                     static_cast<std::size_t>(options_.work_group));
+}
+
+// A workshop's queue, programs and kernel arguments belong to one run at a time, and drivers that compile on
+// the processor are not all made for threads.
+Observations OpenClEngine::observe(const Scene& scene, const Request& request) {
+  static std::mutex turn;
+  const std::lock_guard lock(turn);
+  return SteppingEngine::observe(scene, request);
 }
 
 Provenance OpenClEngine::provenance() const {

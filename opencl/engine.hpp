@@ -12,8 +12,8 @@
 
 namespace grainproof::opencl {
 
-/// `automatic` takes the small path (one work-group, all pairs) up to 64 particles, the dense one for many with
-/// contacts that it knows (opencl/dense_options.hpp), else the zoned one, which knows all.
+/// `automatic` takes the small path (one work-group, all pairs) up to 64 particles, the dense one for many
+/// with contacts that it knows (opencl/dense_options.hpp), else the zoned one, which knows all.
 enum class Path { automatic, small, zoned, dense };
 
 /// `lean` compiles what a scene needs; `full` also every stage that cannot change its physics. Same bits.
@@ -55,7 +55,8 @@ class OpenClEngine : public SteppingEngine {
   Support supports(const Scene& scene, const Request& request) const override;
   std::unique_ptr<Run> start(const Scene& scene, const Request& request) override;
   Provenance provenance() const override;
-  /// As every stepping engine's, but a small scene's frames are taken by the device on its way.
+  /// For several threads at once: they take turns at the devices, across all engines of a process.
+  Observations observe(const Scene& scene, const Request& request) override;
 
  private:
   EngineOptions options_;

@@ -31,6 +31,7 @@ Support ExternalEngine::supports(const Scene& scene, const Request& request) con
 
 Observations ExternalEngine::observe(const Scene& scene, const Request& request) {
   if (const Support support = supports(scene, request); !support) throw EngineFailed(support.because);
+  const std::lock_guard lock(turn_);
   const TemporaryFolder folder;
   const std::filesystem::path input = folder.path() / "scene.json";
   const std::filesystem::path said = folder.path() / "output.txt";

@@ -132,6 +132,21 @@ TEST(VerifyCommand, RunsTheTiersAskedForAndNamesTheCasesItLeavesOut) {
   EXPECT_EQ(lines_about("--quick --bulk").code, 2);
 }
 
+/// Times are all that may differ.
+std::string timeless(std::string text) {
+  return text.substr(0, text.rfind("; "));
+}
+
+TEST(VerifyCommand, SaysTheSameHoweverManyCasesItJudgesAtOnce) {
+  const std::string cases =
+      "verify mfix_03 settling free_fall drag wall_dragging --engines reference,opencl ";
+  const Ended alone = run_program(cases + "--jobs 1"), together = run_program(cases + "--jobs 3");
+  EXPECT_EQ(alone.code, 0) << alone.out << alone.err;
+  EXPECT_EQ(together.code, alone.code);
+  EXPECT_EQ(timeless(together.out), timeless(alone.out));
+  EXPECT_EQ(together.err, alone.err);
+}
+
 TEST(VerifyCommand, JudgesAnExternalProgram) {
   const Scratch scratch;
   const std::string program =
