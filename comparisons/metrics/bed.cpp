@@ -6,6 +6,10 @@
 
 namespace grainproof {
 
+std::span<const Frame> second_half(const Observations& seen) {
+  return std::span(seen.frames).subspan(seen.frames.size() / 2);
+}
+
 Vec3 up(const Scene& scene) {
   const auto* gravity = std::get_if<ConstantGravity>(&scene.gravity);
   return gravity && gravity->acceleration.norm() > 0.0 ? Vec3(-gravity->acceleration.normalized())
@@ -25,8 +29,10 @@ Measured bed_height(const Scene& scene, const Observations& seen) {
 }
 
 Measured contact_number(const Scene& scene, const Observations& seen) {
-  return Measured::of(2.0 * static_cast<double>(touching_particles(scene, seen.frames.back()).size()) /
-                      static_cast<double>(scene.particles.size()));
+  std::size_t pairs = 0;
+  for (const Frame& frame : second_half(seen)) pairs += touching_particles(scene, frame).size();
+  return Measured::of(2.0 * static_cast<double>(pairs) /
+                      static_cast<double>(second_half(seen).size() * scene.particles.size()));
 }
 
 }  // namespace grainproof

@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <span>
+
 #include "comparisons/measured.hpp"
 #include "model/observations.hpp"
 #include "model/scene.hpp"
 
 namespace grainproof {
+
+/// The later frames, at least the last.
+std::span<const Frame> second_half(const Observations& seen);
 
 /// Against gravity; z where there is none.
 Vec3 up(const Scene& scene);
@@ -17,7 +22,7 @@ double floor_of(const Domain& domain, const Vec3& upwards);
 /// height of a uniform bed with that centre.
 Measured bed_height(const Scene& scene, const Observations& seen);
 
-/// Particles that a particle overlaps, on average, in the last frame.
+/// Particles that a particle overlaps, on average over the second half of the frames.
 Measured contact_number(const Scene& scene, const Observations& seen);
 
 }  // namespace grainproof

@@ -55,10 +55,12 @@ double elastic_force(const Scene& scene, const Frame& frame, const Pair& pair) {
   return std::visit(force, scene.contacts.at(own, other).normal);
 }
 
-std::vector<double> elastic_forces(const Scene& scene, const Frame& frame) {
+/// A bed that has come down bounces as a whole for long after: a single frame tells the phase of that.
+std::vector<double> elastic_forces(const Scene& scene, const Observations& seen) {
   std::vector<double> forces;
-  for (const auto& pairs : {touching_particles(scene, frame), touching_walls(scene, frame)})
-    for (const Pair& pair : pairs) forces.push_back(elastic_force(scene, frame, pair));
+  for (const Frame& frame : second_half(seen))
+    for (const auto& pairs : {touching_particles(scene, frame), touching_walls(scene, frame)})
+      for (const Pair& pair : pairs) forces.push_back(elastic_force(scene, frame, pair));
   return forces;
 }
 
@@ -66,7 +68,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-constexpr const char* nothing_touches = "nothing touches in the last frame";
+constexpr const char* nothing_touches = "nothing touches in the second half of the frames";
 
 /// Height of the lowest rectangle that gravity goes through.
 std::optional<double> orifice_height(const Scene& scene, const Vec3& upwards) {
@@ -149,12 +151,12 @@ Measured packing_of(const Scene& scene, const Observations& seen, int third) {
 }
 
 Measured contact_force(const Scene& scene, const Observations& seen) {
-  const std::vector<double> forces = elastic_forces(scene, seen.frames.back());
+  const std::vector<double> forces = elastic_forces(scene, seen);
   return forces.empty() ? Measured::none(nothing_touches) : Measured::of(mean(forces));
 }
 
 Measured contact_force_spread(const Scene& scene, const Observations& seen) {
-  const std::vector<double> forces = elastic_forces(scene, seen.frames.back());
+  const std::vector<double> forces = elastic_forces(scene, seen);
   if (forces.empty()) return Measured::none(nothing_touches);
   const double middle = mean(forces);
   double squares = 0.0;
@@ -179,14 +181,14 @@ Measured slope_angle(const Scene& scene, const Observations& seen) {
   const Cylinder* cylinder = drum(scene);
   if (!cylinder) return Measured::none("the scene has no cylinder");
   const Vec3 down = -up(scene);
-  const std::size_t first = seen.frames.size() / 2;
+  const std::span<const Frame> frames = second_half(seen);
   double sum = 0.0;
-  for (std::size_t k = first; k < seen.frames.size(); ++k) {
-    Vec3 way = centre_of_mass(scene, seen.frames[k]) - cylinder->point;
+  for (const Frame& frame : frames) {
+    Vec3 way = centre_of_mass(scene, frame) - cylinder->point;
     way -= way.dot(cylinder->axis) * cylinder->axis;
     sum += std::atan2(down.cross(way).dot(cylinder->axis), down.dot(way));
   }
-  return Measured::of(sum / static_cast<double>(seen.frames.size() - first));
+  return Measured::of(sum / static_cast<double>(frames.size()));
 }
 
 }  // namespace grainproof

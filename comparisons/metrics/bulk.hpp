@@ -20,7 +20,8 @@ Measured packing_of_third(const Scene& scene, const Observations& seen) {
   return packing_of(scene, seen, third);
 }
 
-/// Elastic part of the normal force, N: mean over the contacts of the last frame, walls included.
+/// Elastic part of the normal force, N: mean over the contacts of the second half of the frames, walls
+/// included.
 Measured contact_force(const Scene& scene, const Observations& seen);
 
 /// Its standard deviation over its mean.

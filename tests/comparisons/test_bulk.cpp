@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "comparisons/metrics/bed.hpp"
 #include "comparisons/metrics/bulk.hpp"
 #include "comparisons/metrics/walls.hpp"
 #include "tests/comparisons/scenes.hpp"
@@ -59,6 +60,23 @@ TEST(ContactForce, IsStiffnessTimesOverlapOfPairsAndWalls) {
   EXPECT_NEAR(
       contact_force(scene, at(scene)).value / ((2.0 * hertz(0.025, 0.001) + hertz(0.05, 0.003)) / 3.0), 1.0,
       1e-12);
+}
+
+// Of four frames the last two: 3 contacts of (1 + 1 + 3) mm, and none once the floor and the spheres are
+// apart.
+TEST(ContactForce, IsTheMeanOverTheContactsOfTheSecondHalf) {
+  Scene scene = column(3, 0.099);
+  scene.walls = {{"floor", 0, Plane{Vec3(0.0, 0.0, 0.003), Vec3::UnitZ()}}};
+  const Frame pressed = at(scene).frames[0];
+  Frame apart = pressed, deep = pressed;
+  for (int i = 0; i < 3; ++i) {
+    apart.position[i].z() = 0.2 * (i + 1);
+    deep.position[i].z() *= 0.5;
+  }
+  Observations seen = at(scene);
+  seen.frames = {deep, deep, pressed, apart};
+  EXPECT_NEAR(contact_force(scene, seen).value, stiffness * 0.005 / 3.0, 1e-9);
+  EXPECT_NEAR(contact_number(scene, seen).value, 0.5 * 2.0 * 2.0 / 3.0, 1e-15);
 }
 
 TEST(DischargeRate, IsTheMassThatGoesBelowTheRectanglePerSecond) {
