@@ -71,6 +71,7 @@ const std::array table{
     number_of_ledger("wall_work", wall_work),
     number("bed_height", bed_height),
     number("contact_number", contact_number),
+    number("mean_contact_number", mean_contact_number),
     number("mean_kinetic_energy", mean_kinetic_energy),
     number("packing_lower", packing_of_third<0>),
     number("packing_middle", packing_of_third<1>),

@@ -29,6 +29,11 @@ Measured bed_height(const Scene& scene, const Observations& seen) {
 }
 
 Measured contact_number(const Scene& scene, const Observations& seen) {
+  return Measured::of(2.0 * static_cast<double>(touching_particles(scene, seen.frames.back()).size()) /
+                      static_cast<double>(scene.particles.size()));
+}
+
+Measured mean_contact_number(const Scene& scene, const Observations& seen) {
   std::size_t pairs = 0;
   for (const Frame& frame : second_half(seen)) pairs += touching_particles(scene, frame).size();
   return Measured::of(2.0 * static_cast<double>(pairs) /

@@ -22,7 +22,10 @@ double floor_of(const Domain& domain, const Vec3& upwards);
 /// height of a uniform bed with that centre.
 Measured bed_height(const Scene& scene, const Observations& seen);
 
-/// Particles that a particle overlaps, on average over the second half of the frames.
+/// Particles that a particle overlaps, on average, in the last frame.
 Measured contact_number(const Scene& scene, const Observations& seen);
+
+/// The same over the second half of the frames: of bodies that never come to rest.
+Measured mean_contact_number(const Scene& scene, const Observations& seen);
 
 }  // namespace grainproof
