@@ -14,7 +14,8 @@ enum class Integrator {
   euler_trapezoid_implicit_drag,
   leapfrog_verlet,
   velocity_verlet,
-  velocity_verlet_predicted,  ///< forces take the velocity predicted for the boundary: second order with dashpots
+  velocity_verlet_predicted,  ///< forces take the velocity predicted for the boundary: second order with
+                              ///< dashpots
   onset_corrected,            ///< the same, and a contact acts for the time it lasted within a step
 };
 
