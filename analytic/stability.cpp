@@ -20,6 +20,12 @@ double quotient_or_no_limit(double numerator, double denominator) {
   return denominator > 0.0 ? numerator / denominator : no_limit;
 }
 
+// Velocities change sign at each step at the limit: k h²/4 + c h = m.
+double predicted_limit(double mass, double stiffness, double damping) {
+  if (stiffness == 0.0) return mass / damping;
+  return 2.0 * (std::sqrt(damping * damping + mass * stiffness) - damping) / stiffness;
+}
+
 /// Determinant below one, and both eigenvalues above −1 (integrators.7). Implicit drag takes its rate
 /// off the second condition, explicit drag adds it (integrators.9).
 double trapezoid_limit(double mass, double stiffness, double damping, double drag, bool implicit_drag) {
@@ -104,6 +110,10 @@ double pair_stability_limit(Integrator integrator, double mass, double stiffness
     case Integrator::leapfrog_verlet:
     case Integrator::velocity_verlet:
       return verlet_limit(mass, stiffness, damping + mass * drag_rate);
+    // Refining the dashpot's velocity only widens the limit.
+    case Integrator::velocity_verlet_predicted:
+    case Integrator::onset_corrected:
+      return predicted_limit(mass, stiffness, damping + mass * drag_rate);
   }
   return 0.0;
 }

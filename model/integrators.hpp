@@ -14,13 +14,18 @@ enum class Integrator {
   euler_trapezoid_implicit_drag,
   leapfrog_verlet,
   velocity_verlet,
+  velocity_verlet_predicted,  ///< forces take the velocity predicted for the boundary: second order with
+                              ///< dashpots
+  onset_corrected,            ///< the same, and a contact acts for the time it lasted within a step
 };
 
-inline constexpr std::array<std::pair<std::string_view, Integrator>, 4> integrator_names{{
+inline constexpr std::array<std::pair<std::string_view, Integrator>, 6> integrator_names{{
     {"euler_trapezoid", Integrator::euler_trapezoid},
     {"euler_trapezoid_implicit_drag", Integrator::euler_trapezoid_implicit_drag},
     {"leapfrog_verlet", Integrator::leapfrog_verlet},
     {"velocity_verlet", Integrator::velocity_verlet},
+    {"velocity_verlet_predicted", Integrator::velocity_verlet_predicted},
+    {"onset_corrected", Integrator::onset_corrected},
 }};
 
 constexpr std::string_view name_of(Integrator integrator) {
