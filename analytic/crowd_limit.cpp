@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 
 #include "analytic/crowd.hpp"
@@ -15,12 +16,12 @@ namespace {
 
 /// Of the contacts that a material can have: the stiffest and most damped of each kind.
 struct Stiffest {
-  double normal = 0.0, tangential = 0.0, turning = 1.0;
+  double normal = 0.0, tangential = 0.0, spin = 0.0;
 
-  void add(double along, double across, double turned) {
+  void add(double along, double across, double turning) {
     normal = std::max(normal, along);
     tangential = std::max(tangential, across);
-    turning = std::max(turning, turned);
+    spin = std::max(spin, turning);
   }
 };
 
@@ -33,9 +34,8 @@ struct Body {
 /// for its turning, each with what couples them (stability.7).
 double block(const Stiffest& stiffest, const Crowd& crowd) {
   const double path = stiffest.normal * crowd.along + stiffest.tangential * (crowd.contacts - crowd.along);
-  const double spin = stiffest.turning - 1.0;
-  const double turn = spin * stiffest.tangential * crowd.contacts;
-  return std::max(path, turn) + std::sqrt(spin) * stiffest.tangential * crowd.resultant;
+  const double turn = stiffest.spin * stiffest.tangential * crowd.contacts;
+  return std::max(path, turn) + std::sqrt(stiffest.spin) * stiffest.tangential * crowd.resultant;
 }
 
 class CrowdLimit {
@@ -49,9 +49,9 @@ class CrowdLimit {
       const auto& [one, other] = load.contact.materials;
       for (const std::size_t material : {one, other}) {
         springs_[material].add(scheme_.flip.stiffness * load.scale.stiffness,
-                               scheme_.flip.remembered * load.tangential_stiffness, load.turning);
+                               scheme_.flip.remembered * load.tangential_stiffness, load.spin);
         dashpots_[material].add(load.crowded_damping * load.scale.damping,
-                                load.crowded_damping * load.tangential_damping, load.turning);
+                                load.crowded_damping * load.tangential_damping, load.spin);
       }
     }
   }
@@ -79,14 +79,18 @@ class CrowdLimit {
   }
 
  private:
+  /// Looked up: a large scene has few diameters that are the lightest of something.
   Crowd crowd_of(double diameter) const {
     if (std::isinf(diameter)) return {0.0, 0.0, 0.0};
-    return analytic::crowd_of(scene_, diameter);
+    const auto found = crowds_.find(diameter);
+    if (found != crowds_.end()) return found->second;
+    return crowds_[diameter] = analytic::crowd_of(scene_, diameter);
   }
 
   const Scene& scene_;
   const LinearScheme& scheme_;
   std::vector<Stiffest> springs_, dashpots_;  ///< of each material
+  mutable std::map<double, Crowd> crowds_;    ///< by diameter
 };
 
 }  // namespace

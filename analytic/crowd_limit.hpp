@@ -16,6 +16,7 @@ struct ContactLoad {
   double tangential_damping = 0.0;
   double crowded_damping = 1.0;  ///< by how much more the heaviest partner is damped; restitution makes it so
   double turning = 1.0;          ///< by how much more a force moves the point of contact than the centre
+  double spin = 0.0;  ///< share of that which is turning, springs against rolling included (stability.7)
 };
 
 /// Largest step at which bodies with as many contacts at once as the scene has room for are stable, and

@@ -8,12 +8,12 @@
 #include "analytic/linear_system.hpp"
 #include "model/integrators.hpp"
 
-/// What each integrator makes of a linear system in one step (integrators.6, docs/stability.md).
+/// What each integrator makes of a linear system in one step (stability.2).
 namespace grainproof::analytic {
 
 /// Where a motion that changes sign every step stops decaying, the bound of every scheme here:
 ///     stiffness k h² + remembered k_t h² + damping (η + drag m/τ) h < 4 m
-/// with these numbers as factors (integrators.13).
+/// with these numbers as factors (stability.3).
 struct FlipCondition {
   double stiffness, remembered, damping, drag;
 };

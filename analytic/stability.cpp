@@ -60,6 +60,7 @@ ContactLoad load_of(const Scene& scene, const PossibleContact& contact, const Cl
   ContactLoad load{.contact = contact, .scale = scale_of(scene, contact, speeds)};
   load.crowded_damping = std::max(1.0, crowded_damping(contact, heaviest));
   load.turning = turning_of(scene, *contact.laws);
+  if (scene.rotation) load.spin = std::holds_alternative<SpringRolling>(contact.laws->rolling) ? 5.0 : 2.5;
   const auto* friction = std::get_if<HistoryFriction>(&contact.laws->friction);
   if (!friction) return load;
   load.tangential_stiffness = friction->stiffness;

@@ -63,7 +63,8 @@ Cases all_cases() {
 }
 
 /// What another engine than the reference is asked for: the laws and arrangements, not every number.
-bool is_representative(const StabilityCase& one) {
+bool is_representative(const StabilityCase& one, bool quick) {
+  if (quick) return one.arrangement == "pair" && one.mass_ratio == 1.0 && one.restitution != "overdamped";
   return (one.restitution == "none" || one.restitution == "0.8" || one.restitution == "0.1") &&
          (one.mass_ratio == 1.0 || one.mass_ratio == 1e6) &&
          (one.stiffness_ratio == 1.0 || one.mass_ratio == 1e6) && one.arrangement != "simple_cubic";
@@ -189,12 +190,13 @@ void add(const Settings& settings) {
       for (const auto& [name, integrator] : integrator_names) {
         if (integrator == Integrator::euler_trapezoid_implicit_drag && of.arrangement != "pair")
           continue;  // without drag the same as explicit
-        if (is_asked_for(settings, of.arrangement) && (engine == "reference" || is_representative(of)))
+        if (is_asked_for(settings, of.arrangement) &&
+            (engine == "reference" || is_representative(of, settings.quick)))
           add_case(settings, engine, integrator, of);
       }
   if (!is_asked_for(settings, "settling")) return;
   for (const std::string& engine : settings.engines)
-    for (const double end : settings.quick ? std::vector<double>{2.0} : std::vector<double>{1.0, 20.0})
+    for (const double end : settings.quick ? std::vector<double>{1.0} : std::vector<double>{1.0, 20.0})
       for (const Integrator integrator : {Integrator::euler_trapezoid, Integrator::velocity_verlet})
         for (const double step : settling_steps(settings.quick))
           add_settling(settings, engine, integrator, step, end);

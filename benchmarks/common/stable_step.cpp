@@ -18,11 +18,13 @@ namespace {
 /// 1e4 it must still keep every contact, and its friction below the Coulomb limit.
 struct Finesse {
   double share;
+  double growing_share;
   double from, to;  ///< ln of the growth over which a rate is measured: the later, the purer is its motion
 };
 
 Finesse finesse_of(const SteppingEngine& engine) {
-  return engine.provenance().precision == "single" ? Finesse{1e-5, 5.0, 8.0} : Finesse{1e-7, 8.0, 12.0};
+  return engine.provenance().precision == "single" ? Finesse{1e-5, 1e-5, 5.0, 8.0}
+                                                   : Finesse{1e-7, 1e-9, 13.0, 17.0};
 }
 
 constexpr double bound = 1e4;  // of the kinetic energy
@@ -146,14 +148,14 @@ MeasuredLimit measured_limit(SteppingEngine& engine, const Scene& scene, const P
 
 double measured_growth(SteppingEngine& engine, const Scene& scene, double step, double predicted_growth) {
   const Finesse finesse = finesse_of(engine);
-  Scene start = perturbed(scene, finesse.share * least_slack(scene));
+  Scene start = perturbed(scene, finesse.growing_share * least_slack(scene));
   start.run.step = step;
   const auto run = engine.start(start, {});
   const double initial = kinetic_energy(start, run->frame());
   // The largest energy of every half contact time, so that no phase of a swing counts.
   const auto window =
       std::max<std::int64_t>(2, static_cast<std::int64_t>(std::ceil(contact_time_of(scene) / step)));
-  const auto most = static_cast<std::int64_t>(60.0 / predicted_growth);
+  const auto most = static_cast<std::int64_t>(85.0 / predicted_growth);
   double first_steps = -1.0, first = 0.0;
   for (std::int64_t done = 0; done < most;) {
     double peak = 0.0;

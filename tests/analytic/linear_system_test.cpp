@@ -218,7 +218,9 @@ TEST_P(GuardOfCrystals, NeverPermitsAStepAboveTheirLimit) {
     const double permitted = stability_limit(scene).step;
     EXPECT_LE(permitted, limit * (1.0 + 1e-4));
     // A guard that refuses everything would pass, too.
-    if (make == face_centred) EXPECT_GE(permitted, 0.5 * limit);
+    if (make == face_centred) {
+      EXPECT_GE(permitted, 0.5 * limit);
+    }
   }
 }
 
