@@ -37,8 +37,9 @@ enum class Prestress { kept, left_out };
 
 /// Every contact of the scene as it is at the start, moving bodies only: three coordinates each, or six with
 /// rotation. Linear contacts, cohesion, tangential springs, drag; planes as walls. Throws InputRefused for
-/// other laws and walls.
-LinearSystem linearised(const Scene& scene, Prestress prestress);
+/// other laws and walls. With a `refining_step` (s) every dashpot is weakened as onset_corrected does it at
+/// that step (stability.9).
+LinearSystem linearised(const Scene& scene, Prestress prestress, double refining_step = 0.0);
 
 /// The same in pieces, one for each way in which half the box along a periodic axis may map the system onto
 /// itself, changed in sign or not. One piece where there is no such axis.

@@ -29,7 +29,8 @@ struct Touch {
 
 class Assembly {
  public:
-  Assembly(const Scene& scene, Prestress prestress) : scene_(scene), prestress_(prestress) {
+  Assembly(const Scene& scene, Prestress prestress, double refining_step)
+      : scene_(scene), prestress_(prestress), refining_step_(refining_step) {
     for (const Particle& particle : scene.particles) {
       first_coordinate_.push_back(particle.fixed ? -1 : coordinates_);
       if (!particle.fixed) coordinates_ += scene.rotation ? 6 : 3;
@@ -127,7 +128,7 @@ class Assembly {
     const double eta = analytic::damping(*normal, touch.mass);
     const VectorXd along = relative(touch, touch.normal, {0.0, 0.0});
     stiffness_ += stiffness * along * along.transpose();
-    damping_ += eta * along * along.transpose();
+    damping_ += refined(eta, normal->stiffness, touch.mass) * along * along.transpose();
     const Vec3 one = touch.normal.unitOrthogonal(), other = touch.normal.cross(one);
     for (const Vec3& direction : {one, other}) {
       if (prestress_ == Prestress::kept) {
@@ -136,6 +137,12 @@ class Assembly {
       }
       add_friction(touch, direction, eta);
     }
+  }
+
+  double refined(double eta, double stiffness, double mass) const {
+    const double c = 0.5 * refining_step_ * eta / mass;
+    const double kappa = 0.5 * refining_step_ * refining_step_ * stiffness / mass;
+    return eta * (1.0 + c) / (1.0 + c + kappa);
   }
 
   void add_friction(const Touch& touch, const Vec3& direction, double eta) {
@@ -148,11 +155,13 @@ class Assembly {
     };
     const VectorXd slip = relative(touch, direction, {arm(touch.first), arm(touch.second)});
     remembered_ += spring->stiffness * slip * slip.transpose();
-    damping_ += spring->damping_ratio * eta * slip * slip.transpose();
+    const double mass = 1.0 / slip.dot(mass_.cwiseInverse().cwiseProduct(slip));
+    damping_ += refined(spring->damping_ratio * eta, spring->stiffness, mass) * slip * slip.transpose();
   }
 
   const Scene& scene_;
   Prestress prestress_;
+  double refining_step_;
   Index coordinates_ = 0;
   std::vector<Index> first_coordinate_;  ///< of each particle; −1 for a fixed one
   VectorXd mass_;
@@ -161,8 +170,8 @@ class Assembly {
 
 }  // namespace
 
-LinearSystem linearised(const Scene& scene, Prestress prestress) {
-  return Assembly(scene, prestress).assembled();
+LinearSystem linearised(const Scene& scene, Prestress prestress, double refining_step) {
+  return Assembly(scene, prestress, refining_step).assembled();
 }
 
 }  // namespace grainproof::analytic

@@ -11,13 +11,9 @@ namespace {
 
 /// Above 1 by less than this is round-off; a growth that matters at the limits looked for is 1e-6 and more.
 constexpr double round_off = 1e-9;
-constexpr int halvings_to_zero = 10;
+constexpr int halvings_to_zero = 7;
 constexpr int doublings_to_infinity = 4;
 constexpr double tolerance = 1e-5;
-
-bool stable(const LinearScheme& scheme, const std::vector<LinearSystem>& parts, double h) {
-  return growth_a_step(scheme, parts, h) <= 1.0 + round_off;
-}
 
 }  // namespace
 
@@ -41,20 +37,27 @@ double undamped_limit(const std::vector<LinearSystem>& parts) {
 }
 
 double spectral_limit(const LinearScheme& scheme, const std::vector<LinearSystem>& parts) {
-  double low = 1.01 * undamped_limit(parts), high = low;
-  for (int n = 0; !stable(scheme, parts, low); ++n) {
+  const auto constant = [&](double) -> const std::vector<LinearSystem>& { return parts; };
+  return spectral_limit(scheme, constant, undamped_limit(parts));
+}
+
+double spectral_limit(const LinearScheme& scheme,
+                      const std::function<std::vector<LinearSystem>(double h)>& parts, double scale) {
+  const auto stable = [&](double h) { return growth_a_step(scheme, parts(h), h) <= 1.0 + round_off; };
+  double low = 1.01 * scale, high = low;
+  for (int n = 0; !stable(low); ++n) {
     if (n == halvings_to_zero) return 0.0;
     high = low;
     low *= 0.5;
   }
-  for (int n = 0; low == high || stable(scheme, parts, high); ++n) {
+  for (int n = 0; low == high || stable(high); ++n) {
     if (n > doublings_to_infinity) return std::numeric_limits<double>::infinity();
     low = high;
     high *= 2.0;
   }
   while (high - low > tolerance * high) {
     const double middle = 0.5 * (low + high);
-    (stable(scheme, parts, middle) ? low : high) = middle;
+    (stable(middle) ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }

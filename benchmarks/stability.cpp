@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <tuple>
 
 #include "analytic/contact_scales.hpp"
 #include "app/engines.hpp"
@@ -80,9 +81,10 @@ const Scene& resting(const StabilityCase& of) {
 
 /// Once for all engines and for integrators that step alike.
 const Prediction& prediction_of(const StabilityCase& of, Integrator integrator) {
-  static std::map<std::pair<const Scene*, decltype(analytic::LinearScheme::step)>, Prediction> known;
+  static std::map<std::tuple<const Scene*, decltype(analytic::LinearScheme::step), bool>, Prediction> known;
   const Scene& scene = resting(of);
-  const auto key = std::pair(&scene, analytic::linear_scheme(integrator).step);
+  const analytic::LinearScheme& scheme = analytic::linear_scheme(integrator);
+  const auto key = std::tuple(&scene, scheme.step, scheme.refines);
   if (const auto found = known.find(key); found != known.end()) return found->second;
   return known.emplace(key, Prediction(scene, name_of(integrator))).first->second;
 }

@@ -59,19 +59,19 @@ void add_sphere(Scene& scene, int material, const Vec3& position, double effect 
 
 /// One light, one heavy. Attraction balances the spring, so that no force turns with the pair.
 Scene pair(const StabilityCase& of) {
-  Scene scene = empty_scene_of(of, Vec3::Constant(10.0 * sphere), true);
+  Scene scene = empty_scene_of(of, Vec3::Constant(3.0 * sphere), true);
   const Vec3 half = 0.5 * sphere * (1.0 - overlap) * Vec3::UnitX();
-  add_sphere(scene, 0, Vec3::Constant(5.0 * sphere) - half);
-  add_sphere(scene, 1, Vec3::Constant(5.0 * sphere) + half);
+  add_sphere(scene, 0, Vec3::Constant(1.5 * sphere) - half);
+  add_sphere(scene, 1, Vec3::Constant(1.5 * sphere) + half);
   return scene;
 }
 
 /// Under its weight; between a floor and a stiffer lid where there is a ratio.
 Scene wall(const StabilityCase& of) {
-  Scene scene = empty_scene_of(of, Vec3::Constant(10.0 * sphere), false);
+  Scene scene = empty_scene_of(of, Vec3::Constant(3.0 * sphere), false);
   scene.walls.push_back({"floor", 0, Plane{Vec3::Zero(), Vec3::UnitZ()}});
   const double height = 0.5 * sphere * (1.0 - 2.0 * overlap);
-  add_sphere(scene, 0, Vec3(5.0 * sphere, 5.0 * sphere, height), sphere);
+  add_sphere(scene, 0, Vec3(1.5 * sphere, 1.5 * sphere, height), sphere);
   if (of.stiffness_ratio > 1.0) {
     const double lid = height + 0.5 * sphere - overlap * sphere / std::sqrt(of.stiffness_ratio);
     scene.walls.push_back({"lid", 1, Plane{lid * Vec3::UnitZ(), -Vec3::UnitZ()}});

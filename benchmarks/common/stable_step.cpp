@@ -22,9 +22,11 @@ struct Finesse {
   double from, to;  ///< ln of the growth over which a rate is measured: the later, the purer is its motion
 };
 
-Finesse finesse_of(const SteppingEngine& engine) {
-  return engine.provenance().precision == "single" ? Finesse{1e-5, 1e-5, 5.0, 8.0}
-                                                   : Finesse{1e-7, 1e-9, 13.0, 17.0};
+/// Single precision has to move a body by more than a quantum of its positions; with friction it need not,
+/// and the Coulomb limit is near.
+Finesse finesse_of(const SteppingEngine& engine, const Scene& scene) {
+  if (engine.provenance().precision != "single") return {1e-7, 1e-9, 13.0, 17.0};
+  return {scene.rotation ? 1e-5 : 1e-4, 1e-5, 5.0, 8.0};
 }
 
 constexpr double bound = 1e4;  // of the kinetic energy
@@ -84,15 +86,23 @@ analytic::Prestress prestress_of(const Scene& scene) {
 }  // namespace
 
 Prediction::Prediction(const Scene& scene, std::string_view integrator)
-    : scheme_(analytic::linear_scheme(integrator)) {
+    : scene_(scene), scheme_(analytic::linear_scheme(integrator)), parts_(parts(0.0)) {
+  limit_ = scheme_.refines
+               ? analytic::spectral_limit(
+                     scheme_, [this](double step) { return parts(step); }, analytic::undamped_limit(parts_))
+               : analytic::spectral_limit(scheme_, parts_);
+}
+
+std::vector<analytic::LinearSystem> Prediction::parts(double step) const {
+  std::vector<analytic::LinearSystem> bound;
   for (const analytic::LinearSystem& part :
-       analytic::symmetric_parts(scene, analytic::linearised(scene, prestress_of(scene))))
-    parts_.push_back(analytic::without_free_motions(part));
-  limit_ = analytic::spectral_limit(scheme_, parts_);
+       analytic::symmetric_parts(scene_, analytic::linearised(scene_, prestress_of(scene_), step)))
+    bound.push_back(analytic::without_free_motions(part));
+  return bound;
 }
 
 double Prediction::growth(double step) const {
-  return analytic::growth_a_step(scheme_, parts_, step);
+  return analytic::growth_a_step(scheme_, scheme_.refines ? parts(step) : parts_, step);
 }
 
 Scene perturbed(const Scene& scene, double size) {
@@ -118,7 +128,7 @@ Scene perturbed(const Scene& scene, double size) {
 
 MeasuredLimit measured_limit(SteppingEngine& engine, const Scene& scene, const Prediction& prediction,
                              std::int64_t most_steps) {
-  const Scene start = perturbed(scene, finesse_of(engine).share * least_slack(scene));
+  const Scene start = perturbed(scene, finesse_of(engine, scene).share * least_slack(scene));
   const double contact_times = contact_times_for(prediction, contact_time_of(scene), most_steps);
   int runs = 0;
   const auto stable = [&](double step) {
@@ -147,7 +157,7 @@ MeasuredLimit measured_limit(SteppingEngine& engine, const Scene& scene, const P
 }
 
 double measured_growth(SteppingEngine& engine, const Scene& scene, double step, double predicted_growth) {
-  const Finesse finesse = finesse_of(engine);
+  const Finesse finesse = finesse_of(engine, scene);
   Scene start = perturbed(scene, finesse.growing_share * least_slack(scene));
   start.run.step = step;
   const auto run = engine.start(start, {});

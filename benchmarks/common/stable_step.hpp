@@ -12,7 +12,8 @@ namespace grainproof::bench {
 /// What the linearised step of an integrator says of a scene.
 class Prediction {
  public:
-  /// `scene` at rest; the integrator by name, since it may be one that is known to some engine only.
+  /// `scene` at rest, and kept by the caller; the integrator by name, since it may be one that is known to
+  /// some engine only.
   Prediction(const Scene& scene, std::string_view integrator);
 
   /// Largest stable step, s; 0 where there is none.
@@ -21,8 +22,11 @@ class Prediction {
   double growth(double step) const;
 
  private:
+  std::vector<analytic::LinearSystem> parts(double step) const;
+
+  const Scene& scene_;
   const analytic::LinearScheme& scheme_;
-  std::vector<analytic::LinearSystem> parts_;
+  std::vector<analytic::LinearSystem> parts_;  ///< as long as dashpots don't depend on the step
   double limit_;
 };
 
