@@ -25,7 +25,7 @@ struct Finesse {
 /// Single precision has to move a body by more than a quantum of its positions; with friction it need not,
 /// and the Coulomb limit is near.
 Finesse finesse_of(const SteppingEngine& engine, const Scene& scene) {
-  if (engine.provenance().precision != "single") return {1e-7, 1e-9, 13.0, 17.0};
+  if (engine.provenance().precision != "single") return {1e-7, 1e-10, 13.0, 20.0};
   return {scene.rotation ? 1e-5 : 1e-4, 1e-5, 5.0, 8.0};
 }
 
@@ -165,7 +165,7 @@ double measured_growth(SteppingEngine& engine, const Scene& scene, double step, 
   // The largest energy of every half contact time, so that no phase of a swing counts.
   const auto window =
       std::max<std::int64_t>(2, static_cast<std::int64_t>(std::ceil(contact_time_of(scene) / step)));
-  const auto most = static_cast<std::int64_t>(85.0 / predicted_growth);
+  const auto most = static_cast<std::int64_t>(100.0 / predicted_growth);
   double first_steps = -1.0, first = 0.0;
   for (std::int64_t done = 0; done < most;) {
     double peak = 0.0;
