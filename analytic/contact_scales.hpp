@@ -63,8 +63,9 @@ struct StepLimit {
   std::string because;  ///< which contact or particle, and which condition
 };
 
-/// Largest stable step of one sustained linear contact, with drag of rate 1/τ on it (integrators.7
-/// to 9). 0: unstable at every step. Infinity: stable at every step. Stiffness 0 leaves drag alone.
+/// Largest stable step of one sustained linear contact in closed form, with drag of rate 1/τ on it
+/// (integrators.7 to 9). 0: unstable at every step. Infinity: stable at every step. Stiffness 0 leaves drag
+/// alone.
 double pair_stability_limit(Integrator integrator, double mass, double stiffness, double damping,
                             double drag_rate = 0.0);
 
@@ -74,10 +75,10 @@ double pair_stability_limit(Integrator integrator, double mass, double stiffness
 double creep_limit(Integrator integrator, double mass, const LinearNormal& normal,
                    const FrictionLaw& friction, double drag_rate = 0.0, double turning = 1.0);
 
-/// The smallest limit over the pairs of `shortest_contact`, their friction, and drag. Each contact is
-/// taken alone: a particle with many contacts is stiffer, and no allowance is made for that yet.
-/// A Hertz contact counts with its stiffness and dashpot at the deepest overlap (hertz.13), a tangential
-/// spring likewise (history.8).
+/// The smallest limit over the pairs of `shortest_contact`, their friction, drag, and bodies with as many
+/// contacts at once as the scene has room for (analytic/crowd.hpp): what holds for them holds for every
+/// arrangement. A Hertz contact counts with its stiffness and dashpot at the deepest overlap (hertz.13), a
+/// tangential spring likewise (history.8).
 StepLimit stability_limit(const Scene& scene, std::optional<double> impact_speed = {});
 
 }  // namespace grainproof::analytic

@@ -66,7 +66,9 @@ PossibleContact contact_of(std::string between, const Body& one, const Body& oth
           materials,
           on_wall,
           std::min(one_drag, other_drag),
-          std::max(one_drag, other_drag)};
+          std::max(one_drag, other_drag),
+          {one.mass, other.mass},
+          {2.0 * one.radius, 2.0 * other.radius}};
 }
 
 void add_pairs(const Scene& scene, const std::vector<Lightest>& lightest,

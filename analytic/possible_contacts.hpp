@@ -20,6 +20,8 @@ struct PossibleContact {
   bool on_wall;
   double slowest_drag;  ///< 1/τ of the partner that drag slows least, 1/s; 0 without a flow
   double fastest_drag;
+  std::pair<double, double> masses;     ///< of the two bodies, kg; infinite for a wall or a fixed particle
+  std::pair<double, double> diameters;  ///< m; likewise
 };
 
 std::vector<PossibleContact> possible_contacts(const Scene& scene);

@@ -7,37 +7,15 @@
 #include <sstream>
 
 #include "analytic/contact_scales.hpp"
+#include "analytic/crowd_limit.hpp"
 #include "analytic/hertz.hpp"
 #include "analytic/possible_contacts.hpp"
+#include "analytic/schemes.hpp"
 
-/// Jury conditions of the update matrices in docs/laws/integrators.md.
 namespace grainproof::analytic {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
-
-double quotient_or_no_limit(double numerator, double denominator) {
-  return denominator > 0.0 ? numerator / denominator : no_limit;
-}
-
-// Velocities change sign at each step at the limit: k h²/4 + c h = m.
-double predicted_limit(double mass, double stiffness, double damping) {
-  if (stiffness == 0.0) return mass / damping;
-  return 2.0 * (std::sqrt(damping * damping + mass * stiffness) - damping) / stiffness;
-}
-
-/// Determinant below one, and both eigenvalues above −1 (integrators.7). Implicit drag takes its rate
-/// off the second condition, explicit drag adds it (integrators.9).
-double trapezoid_limit(double mass, double stiffness, double damping, double drag, bool implicit_drag) {
-  const double growth = quotient_or_no_limit(2.0 * (damping + mass * drag), stiffness);
-  const double explicit_rate = damping + (implicit_drag ? -mass * drag : mass * drag);
-  return std::min(growth, quotient_or_no_limit(2.0 * mass, explicit_rate));
-}
-
-/// k h² + 2 η h < 4 m (integrators.8).
-double verlet_limit(double mass, double stiffness, double damping) {
-  return quotient_or_no_limit(4.0 * mass, damping + std::sqrt(damping * damping + 4.0 * stiffness * mass));
-}
 
 void keep_smaller(StepLimit& limit, double step, const std::string& because) {
   if (step < limit.step) limit = {step, because};
@@ -60,40 +38,65 @@ double turning_of(const Scene& scene, const ContactLaws& laws) {
   return std::holds_alternative<SpringRolling>(laws.rolling) ? 3.0 + std::sqrt(6.5) : 3.5;
 }
 
-/// The tangential spring of a lasting contact (history.8).
-double spring_limit(const Scene& scene, const PossibleContact& contact, const ContactScale& scale,
-                    const HistoryFriction& friction, double drag) {
-  double stiffness = friction.stiffness, eta = friction.damping_ratio * scale.damping;
-  if (const auto* hertz = std::get_if<HertzNormal>(&contact.laws->normal)) {
-    const HertzPair pair = hertz_pair(scene, contact.materials, contact.mass, contact.radius, *hertz);
-    stiffness = pair.tangential_stiffness(scale.peak_overlap);
-    eta = friction.damping_ratio * pair.damping(stiffness);
-  }
-  return pair_stability_limit(scene.run.integrator, contact.mass / turning_of(scene, *contact.laws),
-                              stiffness, eta, drag);
+double heaviest_body(const Scene& scene) {
+  double heaviest = 0.0;
+  for (const Particle& particle : scene.particles)
+    heaviest = std::max(heaviest, particle.fixed ? no_limit
+                                                 : sphere_mass(scene.materials[particle.material].density,
+                                                               particle.diameter));
+  return heaviest;
 }
 
-double friction_limit(const Scene& scene, const PossibleContact& contact, const ContactScale& scale,
-                      double drag) {
-  if (const auto* history = std::get_if<HistoryFriction>(&contact.laws->friction))
-    return spring_limit(scene, contact, scale, *history, drag);
+/// A restitution asks for a dashpot that grows with the root of the effective mass.
+double crowded_damping(const PossibleContact& contact, double heaviest) {
+  const auto* linear = std::get_if<LinearNormal>(&contact.laws->normal);
+  if (contact.on_wall || (linear && std::holds_alternative<Damping>(linear->dissipation))) return 1.0;
+  const double lightest = std::min(contact.masses.first, contact.masses.second);
+  return std::sqrt(effective_mass(lightest, heaviest) / contact.mass);
+}
+
+ContactLoad load_of(const Scene& scene, const PossibleContact& contact, const ClosingSpeeds& speeds,
+                    double heaviest) {
+  ContactLoad load{.contact = contact, .scale = scale_of(scene, contact, speeds)};
+  load.crowded_damping = std::max(1.0, crowded_damping(contact, heaviest));
+  load.turning = turning_of(scene, *contact.laws);
+  if (scene.rotation) load.spin = std::holds_alternative<SpringRolling>(contact.laws->rolling) ? 5.0 : 2.5;
+  const auto* friction = std::get_if<HistoryFriction>(&contact.laws->friction);
+  if (!friction) return load;
+  load.tangential_stiffness = friction->stiffness;
+  load.tangential_damping = friction->damping_ratio * load.scale.damping;
+  if (const auto* hertz = std::get_if<HertzNormal>(&contact.laws->normal)) {
+    const HertzPair pair = hertz_pair(scene, contact.materials, contact.mass, contact.radius, *hertz);
+    load.tangential_stiffness = pair.tangential_stiffness(load.scale.peak_overlap);
+    load.tangential_damping = friction->damping_ratio * pair.damping(load.tangential_stiffness);
+  }
+  return load;
+}
+
+/// A tangential spring of one contact that lasts (history.8), or friction without memory.
+double friction_limit(const Scene& scene, const ContactLoad& load, double drag) {
+  const PossibleContact& contact = load.contact;
+  if (std::holds_alternative<HistoryFriction>(contact.laws->friction))
+    return pair_limit(
+        linear_scheme(scene.run.integrator),
+        {contact.mass / load.turning, 0.0, load.tangential_stiffness, load.tangential_damping, drag});
   // The static branches that refer to a normal stiffness have the linear law's.
   const auto* linear = std::get_if<LinearNormal>(&contact.laws->normal);
   return creep_limit(scene.run.integrator, contact.mass,
-                     linear ? *linear : LinearNormal{scale.stiffness, Damping{scale.damping}},
-                     contact.laws->friction, drag, turning_of(scene, *contact.laws));
+                     linear ? *linear : LinearNormal{load.scale.stiffness, Damping{load.scale.damping}},
+                     contact.laws->friction, drag, load.turning);
 }
 
 /// Every condition is monotonic in the drag rate, so the two partners' rates bracket the pair's.
-void limit_by_contact(const Scene& scene, const PossibleContact& contact, const ClosingSpeeds& speeds,
-                      StepLimit& limit) {
-  const Integrator integrator = scene.run.integrator;
-  const ContactScale scale = scale_of(scene, contact, speeds);
+void limit_by_contact(const Scene& scene, const ContactLoad& load, StepLimit& limit) {
+  const ContactScale& scale = load.scale;
   const std::string pair = described(scale);
-  for (const double drag : {contact.slowest_drag, contact.fastest_drag}) {
-    keep_smaller(limit, pair_stability_limit(integrator, contact.mass, scale.stiffness, scale.damping, drag),
-                 "normal contact of " + pair + " under " + std::string(name_of(integrator)));
-    keep_smaller(limit, friction_limit(scene, contact, scale, drag),
+  for (const double drag : {load.contact.slowest_drag, load.contact.fastest_drag}) {
+    keep_smaller(
+        limit,
+        pair_stability_limit(scene.run.integrator, load.contact.mass, scale.stiffness, scale.damping, drag),
+        "normal contact of " + pair + " under " + std::string(name_of(scene.run.integrator)));
+    keep_smaller(limit, friction_limit(scene, load, drag),
                  "friction of " + pair + ": above it the contact chatters where it should come to rest");
   }
 }
@@ -102,20 +105,7 @@ void limit_by_contact(const Scene& scene, const PossibleContact& contact, const 
 
 double pair_stability_limit(Integrator integrator, double mass, double stiffness, double damping,
                             double drag_rate) {
-  switch (integrator) {
-    case Integrator::euler_trapezoid:
-      return trapezoid_limit(mass, stiffness, damping, drag_rate, false);
-    case Integrator::euler_trapezoid_implicit_drag:
-      return trapezoid_limit(mass, stiffness, damping, drag_rate, true);
-    case Integrator::leapfrog_verlet:
-    case Integrator::velocity_verlet:
-      return verlet_limit(mass, stiffness, damping + mass * drag_rate);
-    // Refining the dashpot's velocity only widens the limit.
-    case Integrator::velocity_verlet_predicted:
-    case Integrator::onset_corrected:
-      return predicted_limit(mass, stiffness, damping + mass * drag_rate);
-  }
-  return 0.0;
+  return pair_limit(linear_scheme(integrator), {mass, stiffness, 0.0, damping, drag_rate});
 }
 
 double creep_limit(Integrator integrator, double mass, const LinearNormal& normal,
@@ -147,8 +137,13 @@ StepLimit stability_limit(const Scene& scene, std::optional<double> impact_speed
   const Integrator integrator = scene.run.integrator;
   StepLimit limit{no_limit, "nothing limits the step"};
   const ClosingSpeeds speeds(scene, impact_speed);
+  const double heaviest = heaviest_body(scene);
+  std::vector<ContactLoad> loads;
   for (const PossibleContact& contact : possible_contacts(scene))
-    limit_by_contact(scene, contact, speeds, limit);
+    loads.push_back(load_of(scene, contact, speeds, heaviest));
+  for (const ContactLoad& load : loads) limit_by_contact(scene, load, limit);
+  const StepLimit crowded = crowd_limit(scene, loads);
+  keep_smaller(limit, crowded.step, crowded.because);
   for (const Particle& particle : scene.particles) {
     if (particle.fixed) continue;
     const double rate = drag_rate(scene.flow, scene.materials[particle.material].density, particle.diameter);

@@ -174,6 +174,26 @@ constexpr std::array accuracy_columns{
     ShownColumn{"status", "status"},
 };
 
+constexpr std::array stability_columns{
+    ShownColumn{"scene", "scene"},
+    ShownColumn{"engine", "engine"},
+    ShownColumn{"precision", "precision"},
+    ShownColumn{"integrator", "integrator"},
+    ShownColumn{"restitution", "restitution"},
+    ShownColumn{"mass_ratio", "masses"},
+    ShownColumn{"stiffness_ratio", "stiffnesses"},
+    ShownColumn{"coordination", "contacts"},
+    ShownColumn{"friction", "friction"},
+    ShownColumn{"limit_s", "limit / s"},
+    ShownColumn{"predicted_s", "predicted"},
+    ShownColumn{"share_of_contact", "of a contact"},
+    ShownColumn{"error", "apart"},
+    ShownColumn{"step", "step / s"},
+    ShownColumn{"end", "after / s"},
+    ShownColumn{"overlap_error", "overlap off by"},
+    ShownColumn{"status", "status"},
+};
+
 constexpr std::array suites{
     Suite{"scaling", "run time against the number of particles, with the exponent", measure_scaling,
           scaling_columns},
@@ -188,6 +208,7 @@ constexpr std::array suites{
           peers_columns},
     Suite{"accuracy", "error against run time, by integrator, engine, precision and peer", measure_accuracy,
           accuracy_columns},
+    Suite{"stability", "largest stable steps against their prediction", measure_stability, stability_columns},
 };
 
 }  // namespace

@@ -31,6 +31,8 @@ std::vector<std::int64_t> within_limits(const BenchSession& session, std::vector
 
 /// bench_scaling.cpp
 void measure_scaling(BenchSession& session);
+/// bench_stability.cpp
+void measure_stability(BenchSession& session);
 
 /// What follows from the samples of a suite, into BenchSession::extra; bench_conclusions.cpp and
 /// bench_accuracy.cpp.

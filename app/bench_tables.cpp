@@ -81,6 +81,20 @@ std::string decade_text(const json& decade) {
          std::to_string(decade.at("steps_per_contact").get<int>()) + " steps a contact\n";
 }
 
+std::string share_text(const json& safe) {
+  return "  " + safe.at("integrator").get<std::string>() + ", " + safe.at("scene").get<std::string>() +
+         ", restitution " + safe.at("restitution").get<std::string>() + ": stable to " +
+         report::brief(safe.at("share").get<double>()) + " of a contact, run permits " +
+         report::brief(safe.at("permitted_share").get<double>()) + "\n";
+}
+
+std::string agreement_text(const json& one) {
+  return "  predicted and measured at most " + report::brief(one.at("worst").get<double>()) + " apart, bar " +
+         report::brief(one.at("bar").get<double>()) + ": " + std::to_string(one.at("points").get<int>()) +
+         " limits, " + std::to_string(one.at("beyond").get<int>()) +
+         " beyond; permitted above the limit: " + std::to_string(one.at("permitted_above").get<int>()) + "\n";
+}
+
 }  // namespace
 
 std::string suite_text(const Suite& suite, const json& results, const report::Paint& paint) {
@@ -93,6 +107,8 @@ std::string suite_text(const Suite& suite, const json& results, const report::Pa
   for (const json& best : rows_of_suite(results, "best_skins", suite.name)) text << skin_text(best);
   for (const json& order : rows_of_suite(results, "orders", suite.name)) text << order_text(order);
   for (const json& decade : rows_of_suite(results, "decades", suite.name)) text << decade_text(decade);
+  for (const json& safe : rows_of_suite(results, "safe_shares", suite.name)) text << share_text(safe);
+  for (const json& one : rows_of_suite(results, "agreement", suite.name)) text << agreement_text(one);
   return text.str();
 }
 

@@ -29,6 +29,8 @@ SUITES = {
     "accuracy": ({"scene", "engine", "precision", "integrator", "steps_per_contact"}, {"step", "error", "wall_s",
                  "force_evaluations"}, {f"accuracy_{scene}" for scene in ("head_on", "elastic", "hertz", "oblique",
                                                                          "pair_gas")}),
+    "stability": ({"scene", "engine", "precision", "integrator"}, set(), {"stability_agreement", "stability_settling",
+                  "stability_euler_trapezoid", "stability_velocity_verlet"}),
 }
 PEERS = {"lammps", "liggghts"}
 
@@ -65,6 +67,23 @@ def check_orders(results):
         check(row["order"] > 0.7, f"an order below the scheme's: {row}")
 
 
+def check_stability(rows, results):
+    """Every limit is where it was predicted, on both engines, and what `run` permits is not above it."""
+    limits = [row for row in rows if "predicted_s" in row]
+    check({row["engine"] for row in limits} == {"reference", "opencl"}, "limits of one engine only")
+    for row in limits:
+        check(row["error"] <= row["bar"], f"not where predicted: {row}")
+        check(row["permitted_s"] <= row["limit_s"] * (1.0 + row["bar"]), f"run permits more: {row}")
+    undamped = [row for row in limits if row["integrator"] == "euler_trapezoid" and row["restitution"] == "none"]
+    check(undamped, "the source's scheme was not tried without damping")
+    for row in undamped:
+        check(row["limit_s"] == 0.0 and row["growth_a_step"] > 0.0, f"stable without damping: {row}")
+    settled = {row["step"]: row["overlap_error"] for row in rows
+               if row["scene"] == "settling" and row["integrator"] == "euler_trapezoid" and row["engine"] == "reference"}
+    check(settled[2e-4] < 1e-6 < 1.0 < settled[9.7e-4], f"the settling figure has another shape: {settled}")
+    check(all(one["beyond"] == 0 for one in results["agreement"]), "the conclusion says otherwise")
+
+
 def check_engines(suite, rows):
     engines = {row["engine"] for row in rows if row["status"] == "completed"} if suite != "layout" else {"opencl"}
     check("opencl" in engines, f"opencl was not measured: {engines}")
@@ -84,7 +103,7 @@ def main(program, suite, cache):
     names, measured, pictures = SUITES[suite]
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder)
-        command = [program, "bench", suite, "--quick", "--most", "900", "--rounds", "2", "--seconds", "0.002",
+        command = [program, "bench", suite, "--quick", "--most", "2" if suite == "stability" else "900", "--rounds", "2", "--seconds", "0.002",
                    "--engines", "reference,opencl:double", "--cache", cache, "--out", folder]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         check(done.returncode == 0, f"{' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
@@ -99,6 +118,8 @@ def main(program, suite, cache):
         if suite == "accuracy":
             check_accuracy(rows)
             check_orders(results)
+        if suite == "stability":
+            check_stability(rows, results)
         check_pictures(out, pictures)
 
 

@@ -123,7 +123,7 @@ const Mistake speeds[] = {
     {"ImpactSpeedOfZero", "end = 0.01", "end = 0.01\nimpact_speed = 0.0", "impact_speed = 0", "above 0",
      "impact_speed"},
     {"StepAboveTheLimitOfTheSpring", "step = \"contact/64\"", "step = 1e-4", "a step of 1e-04 s",
-     "friction of glass and glass"},
+     "bodies of glass and glass with up to 3 contacts at once"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Rotation, ContactRefusal, ::testing::ValuesIn(rotation), name_of_mistake);

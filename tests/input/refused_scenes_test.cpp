@@ -81,7 +81,7 @@ const Mistake contacts[] = {
     {"OneName", "between = [\"glass\", \"steel\"]", "between = [\"glass\"]", "an array of 1",
      "two materials"},
     {"StepAboveTheStabilityLimit", "step = \"contact/64\"", "step = 5e-3", "a step of 0.005 s",
-     "glass and wall floor"},
+     "bodies of glass and glass with up to 3 contacts at once"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Geometry, SceneRefusal, ::testing::ValuesIn(geometry), name_of_mistake);

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "analytic/schemes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "model/errors.hpp"
+
+namespace grainproof::analytic {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// A linear map of the state at the start of a step; a step is written with these as the scheme is.
+using Row = MatrixXd;
+
+/// The parts of a state, each of the system's size, as maps of the state.
+struct Parts {
+  Index size, count;
+  Row operator()(Index which) const {
+    Row part = Row::Zero(size, size * count);
+    part.middleCols(which * size, size).setIdentity();
+    return part;
+  }
+};
+
+template <class... Rows>
+MatrixXd stacked(const Rows&... rows) {
+  const std::array<const Row*, sizeof...(Rows)> all{&rows...};
+  MatrixXd matrix(all[0]->rows() * static_cast<Index>(all.size()), all[0]->cols());
+  Index at = 0;
+  for (const Row* row : all) {
+    matrix.middleRows(at, row->rows()) = *row;
+    at += row->rows();
+  }
+  return matrix;
+}
+
+bool remembers(const LinearSystem& system) {
+  return (system.remembered.array() != 0.0).any();
+}
+
+/// Position, velocity times step, springs as they were at the force just evaluated. `drag` is what of the
+/// drag counts as a force, `slowed` what takes place on the new velocity.
+MatrixXd trapezoid_step(const LinearSystem& system, double h, const MatrixXd& drag, const MatrixXd& slowed) {
+  const Parts part{system.size(), remembers(system) ? 3 : 2};
+  const Row x = part(0), v = part(1);
+  Row push = h * h * system.stiffness * x + h * (system.damping + drag) * v;
+  if (part.count == 3) push += h * h * system.remembered * part(2);
+  const Row new_v = slowed * (v - push);
+  const Row new_x = x + 0.5 * (v + new_v);
+  // The next force is evaluated with the new velocity, and its springs grow by it (history.1).
+  return part.count == 3 ? stacked(new_x, new_v, Row(part(2) + new_v)) : stacked(new_x, new_v);
+}
+
+MatrixXd euler_trapezoid(const LinearSystem& system, double h) {
+  return trapezoid_step(system, h, system.drag, MatrixXd::Identity(system.size(), system.size()));
+}
+
+MatrixXd euler_trapezoid_implicit_drag(const LinearSystem& system, double h) {
+  const MatrixXd rest = MatrixXd::Identity(system.size(), system.size()) + h * system.drag;
+  return trapezoid_step(system, h, MatrixXd::Zero(system.size(), system.size()), rest.inverse());
+}
+
+/// Position and half-step velocity times step. Springs grow by what moves the bodies: they are positions.
+MatrixXd verlet(const LinearSystem& system, double h) {
+  const Parts part{system.size(), 2};
+  const Row x = part(0), half = part(1);
+  const Row new_half =
+      half - h * h * (system.stiffness + system.remembered) * x - h * (system.damping + system.drag) * half;
+  return stacked(Row(x + new_half), new_half);
+}
+
+/// Position, half-step velocity times step, acceleration before it times step squared, springs half a step
+/// after that: each is stretched half by the velocity predicted for its force and half by the one before.
+MatrixXd predicted_verlet(const LinearSystem& system, double h) {
+  const Parts part{system.size(), remembers(system) ? 4 : 3};
+  const Row x = part(0), half = part(1);
+  const Row predicted = half + 0.5 * part(2);
+  Row a = -h * h * system.stiffness * x - h * (system.damping + system.drag) * predicted;
+  if (part.count == 3) return stacked(Row(x + half + a), Row(half + a), a);
+  const Row springs = part(3) + 0.5 * predicted;
+  a -= h * h * system.remembered * springs;
+  return stacked(Row(x + half + a), Row(half + a), a, Row(springs + 0.5 * predicted));
+}
+
+double over(double numerator, double denominator) {
+  return denominator > 0.0 ? numerator / denominator : std::numeric_limits<double>::infinity();
+}
+
+constexpr std::array schemes{
+    LinearScheme{"euler_trapezoid", euler_trapezoid, {0.0, 1.0, 2.0, 1.0}, true},
+    LinearScheme{"euler_trapezoid_implicit_drag", euler_trapezoid_implicit_drag, {0.0, 1.0, 2.0, -1.0}, true},
+    LinearScheme{"leapfrog_verlet", verlet, {1.0, 1.0, 2.0, 1.0}},
+    LinearScheme{"velocity_verlet", verlet, {1.0, 1.0, 2.0, 1.0}},
+    LinearScheme{"velocity_verlet_predicted", predicted_verlet, {1.0, 0.0, 4.0, 1.0}, false, true},
+    // The same while no contact begins or ends, but for weaker dashpots, which only widens the first limit.
+    LinearScheme{"onset_corrected", predicted_verlet, {1.0, 0.0, 4.0, 1.0}, false, true, true},
+};
+
+}  // namespace
+
+std::span<const LinearScheme> linear_schemes() {
+  return schemes;
+}
+
+double flip_limit(const LinearScheme& scheme, const LinearContact& contact) {
+  const FlipCondition& flip = scheme.flip;
+  const double k = flip.stiffness * contact.stiffness + flip.remembered * contact.remembered;
+  const double c = 0.5 * flip.damping * (contact.damping + flip.drag * contact.mass * contact.drag_rate);
+  if (k == 0.0) return over(2.0 * contact.mass, c);
+  return over(4.0 * contact.mass, c + std::sqrt(c * c + 4.0 * k * contact.mass));
+}
+
+double pair_limit(const LinearScheme& scheme, const LinearContact& contact) {
+  double limit = flip_limit(scheme, contact);
+  if (scheme.gains)
+    limit =
+        std::min(limit, over(2.0 * (contact.damping + contact.mass * contact.drag_rate), contact.stiffness));
+  // Without a dashpot the gain is left to the user: (k_t h²/m)²/8 a step (stability.8).
+  if (scheme.late_springs && contact.remembered > 0.0 && contact.damping > 0.0)
+    limit =
+        std::min(limit, std::cbrt(4.0 * contact.damping * contact.mass / std::pow(contact.remembered, 2)));
+  return limit;
+}
+
+const LinearScheme& linear_scheme(std::string_view name) {
+  const auto found = std::ranges::find(schemes, name, &LinearScheme::name);
+  if (found == schemes.end())
+    throw InputRefused("found integrator " + std::string(name) + "; expected one whose stability is known");
+  return *found;
+}
+
+}  // namespace grainproof::analytic

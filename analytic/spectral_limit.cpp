@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "analytic/spectral_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace grainproof::analytic {
+namespace {
+
+/// Above 1 by less than this is round-off; a growth that matters at the limits looked for is 1e-6 and more.
+constexpr double round_off = 1e-9;
+constexpr int halvings_to_zero = 7;
+constexpr int doublings_to_infinity = 4;
+constexpr double tolerance = 1e-5;
+
+}  // namespace
+
+double growth_a_step(const LinearScheme& scheme, const std::vector<LinearSystem>& parts, double h) {
+  double largest = 0.0;
+  for (const LinearSystem& part : parts)
+    if (part.size() > 0)
+      largest = std::max(largest, scheme.step(part, h).eigenvalues().cwiseAbs().maxCoeff());
+  return largest;
+}
+
+double undamped_limit(const std::vector<LinearSystem>& parts) {
+  double fastest = 0.0;
+  for (const LinearSystem& part : parts)
+    if (part.size() > 0)
+      fastest = std::max(fastest, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                      part.stiffness + part.remembered, Eigen::EigenvaluesOnly)
+                                      .eigenvalues()
+                                      .maxCoeff());
+  return 2.0 / std::sqrt(fastest);
+}
+
+double spectral_limit(const LinearScheme& scheme, const std::vector<LinearSystem>& parts) {
+  const auto constant = [&](double) -> const std::vector<LinearSystem>& { return parts; };
+  return spectral_limit(scheme, constant, undamped_limit(parts));
+}
+
+double spectral_limit(const LinearScheme& scheme,
+                      const std::function<std::vector<LinearSystem>(double h)>& parts, double scale) {
+  const auto stable = [&](double h) { return growth_a_step(scheme, parts(h), h) <= 1.0 + round_off; };
+  double low = 1.01 * scale, high = low;
+  for (int n = 0; !stable(low); ++n) {
+    if (n == halvings_to_zero) return 0.0;
+    high = low;
+    low *= 0.5;
+  }
+  for (int n = 0; low == high || stable(high); ++n) {
+    if (n > doublings_to_infinity) return std::numeric_limits<double>::infinity();
+    low = high;
+    high *= 2.0;
+  }
+  while (high - low > tolerance * high) {
+    const double middle = 0.5 * (low + high);
+    (stable(middle) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace grainproof::analytic

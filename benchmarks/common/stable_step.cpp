@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "benchmarks/common/stable_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "benchmarks/common/stability_cases.hpp"
+#include "input/uniform.hpp"
+#include "model/errors.hpp"
+
+namespace grainproof::bench {
+namespace {
+
+/// How small a perturbation an engine can tell from rounding, as a share of what opens a contact; grown by
+/// 1e4 it must still keep every contact, and its friction below the Coulomb limit.
+struct Finesse {
+  double share;
+  double growing_share;
+  double from, to;  ///< ln of the growth over which a rate is measured: the later, the purer is its motion
+};
+
+/// Single precision has to move a body by more than a quantum of its positions; with friction it need not,
+/// and the Coulomb limit is near.
+Finesse finesse_of(const SteppingEngine& engine, const Scene& scene) {
+  if (engine.provenance().precision != "single") return {1e-7, 1e-10, 13.0, 20.0};
+  return {scene.rotation ? 1e-5 : 1e-4, 1e-5, 5.0, 8.0};
+}
+
+constexpr double bound = 1e4;  // of the kinetic energy
+constexpr double least_contact_times = 200.0;
+constexpr double seen_above = 1.005;  // of the predicted limit
+constexpr double fineness = 1e-3;     // of the step found
+constexpr int blocks = 64;            // in which a run is looked at
+
+double mass_of(const Scene& scene, const Particle& particle) {
+  return scene.materials[particle.material].density * std::numbers::pi / 6.0 * std::pow(particle.diameter, 3);
+}
+
+double kinetic_energy(const Scene& scene, const Frame& frame) {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    const double mass = mass_of(scene, scene.particles[i]);
+    energy += 0.5 * mass * frame.velocity[i].squaredNorm();
+    if (scene.rotation)
+      energy +=
+          0.05 * mass * std::pow(scene.particles[i].diameter, 2) * frame.angular_velocity[i].squaredNorm();
+  }
+  return energy;
+}
+
+bool stays_bounded(SteppingEngine& engine, Scene scene, double step, double contact_times) {
+  scene.run.step = step;
+  const auto steps = static_cast<std::int64_t>(std::ceil(contact_times * contact_time_of(scene) / step));
+  const std::int64_t block = std::max<std::int64_t>(8, steps / blocks);
+  try {
+    const auto run = engine.start(scene, {});
+    const double start = kinetic_energy(scene, run->frame());
+    for (std::int64_t done = 0; done < steps; done += block) {
+      run->advance(block);
+      run->synchronise();
+      if (!(kinetic_energy(scene, run->frame()) <= bound * start)) return false;
+    }
+  } catch (const RunWentWrong&) {
+    return false;
+  }
+  return true;
+}
+
+/// How long a run must be to see what grows at half a percent above the prediction.
+double contact_times_for(const Prediction& prediction, double contact_time, std::int64_t most_steps) {
+  const double step = seen_above * prediction.limit();
+  const double a_step = std::log(prediction.growth(step));
+  const double most = static_cast<double>(most_steps) * step / contact_time;
+  const double wanted = a_step > 0.0 ? 1.3 * 0.5 * std::log(bound) / a_step * step / contact_time : most;
+  return std::max(least_contact_times, std::min(wanted, most));
+}
+
+analytic::Prestress prestress_of(const Scene& scene) {
+  // Elsewhere attraction balances every contact, or it is one with a wall.
+  return scene.title.starts_with("random") ? analytic::Prestress::kept : analytic::Prestress::left_out;
+}
+
+}  // namespace
+
+Prediction::Prediction(const Scene& scene, std::string_view integrator)
+    : scene_(scene), scheme_(analytic::linear_scheme(integrator)), parts_(parts(0.0)) {
+  limit_ = scheme_.refines
+               ? analytic::spectral_limit(
+                     scheme_, [this](double step) { return parts(step); }, analytic::undamped_limit(parts_))
+               : analytic::spectral_limit(scheme_, parts_);
+}
+
+std::vector<analytic::LinearSystem> Prediction::parts(double step) const {
+  std::vector<analytic::LinearSystem> bound;
+  for (const analytic::LinearSystem& part :
+       analytic::symmetric_parts(scene_, analytic::linearised(scene_, prestress_of(scene_), step)))
+    bound.push_back(analytic::without_free_motions(part));
+  return bound;
+}
+
+double Prediction::growth(double step) const {
+  return analytic::growth_a_step(scheme_, scheme_.refines ? parts(step) : parts_, step);
+}
+
+Scene perturbed(const Scene& scene, double size) {
+  Scene moved = scene;
+  input::Uniform uniform(11);
+  double lightest = std::numeric_limits<double>::infinity(), heavy = 0.0;
+  for (const Particle& particle : scene.particles) lightest = std::min(lightest, mass_of(scene, particle));
+  const double rate = std::numbers::pi / contact_time_of(scene);
+  Vec3 momentum = Vec3::Zero();
+  for (Particle& particle : moved.particles) {
+    const double mass = mass_of(scene, particle);
+    const double speed = size * rate * std::sqrt(lightest / mass);
+    particle.position += size * uniform.in_cube();
+    particle.velocity = speed * uniform.in_cube();
+    if (scene.rotation) particle.angular_velocity = 2.0 * speed / particle.diameter * uniform.in_cube();
+    momentum += mass * particle.velocity;
+    heavy += mass;
+  }
+  if (scene.walls.empty())
+    for (Particle& particle : moved.particles) particle.velocity -= momentum / heavy;
+  return moved;
+}
+
+MeasuredLimit measured_limit(SteppingEngine& engine, const Scene& scene, const Prediction& prediction,
+                             std::int64_t most_steps) {
+  const Scene start = perturbed(scene, finesse_of(engine, scene).share * least_slack(scene));
+  const double contact_times = contact_times_for(prediction, contact_time_of(scene), most_steps);
+  int runs = 0;
+  const auto stable = [&](double step) {
+    ++runs;
+    return stays_bounded(engine, start, step, contact_times);
+  };
+  const double predicted = prediction.limit();
+  double width = 1.01, low = predicted / width, high = predicted * width;
+  const auto widen = [&] {
+    if ((width *= width) > 16.0) throw EngineFailed("no limit within a factor of 16 of the predicted one");
+    return width;
+  };
+  if (stable(low)) {
+    for (; stable(high); high = predicted * widen()) low = high;
+  } else {
+    do {
+      high = low;
+      low = predicted / widen();
+    } while (!stable(low));
+  }
+  while (high - low > fineness * low) {
+    const double middle = 0.5 * (low + high);
+    (stable(middle) ? low : high) = middle;
+  }
+  return {0.5 * (low + high), contact_times, runs};
+}
+
+double measured_growth(SteppingEngine& engine, const Scene& scene, double step, double predicted_growth) {
+  const Finesse finesse = finesse_of(engine, scene);
+  Scene start = perturbed(scene, finesse.growing_share * least_slack(scene));
+  start.run.step = step;
+  const auto run = engine.start(start, {});
+  const double initial = kinetic_energy(start, run->frame());
+  // The largest energy of every half contact time, so that no phase of a swing counts.
+  const auto window =
+      std::max<std::int64_t>(2, static_cast<std::int64_t>(std::ceil(contact_time_of(scene) / step)));
+  const auto most = static_cast<std::int64_t>(100.0 / predicted_growth);
+  double first_steps = -1.0, first = 0.0;
+  for (std::int64_t done = 0; done < most;) {
+    double peak = 0.0;
+    std::int64_t at = done;
+    for (std::int64_t n = 0; n < window; ++n) {
+      run->advance(1);
+      run->synchronise();
+      const double energy = kinetic_energy(start, run->frame());
+      ++done;
+      if (energy > peak) {
+        peak = energy;
+        at = done;
+      }
+    }
+    const double grown = 0.5 * std::log(peak / initial);
+    if (first_steps < 0.0 && grown > finesse.from) {
+      first_steps = static_cast<double>(at);
+      first = grown;
+    } else if (grown > finesse.to) {
+      return (grown - first) / (static_cast<double>(at) - first_steps);
+    }
+  }
+  throw EngineFailed("nothing grew as it should in five times the predicted number of steps");
+}
+
+}  // namespace grainproof::bench
