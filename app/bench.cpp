@@ -9,6 +9,7 @@
 #include "app/bench_session.hpp"
 #include "app/bench_suites.hpp"
 #include "app/bench_tables.hpp"
+#include "app/bench_work_precision.hpp"
 #include "app/exit_code.hpp"
 #include "app/resources.hpp"
 #include "comparisons/peers/process.hpp"
@@ -66,6 +67,7 @@ nlohmann::json results_of(const BenchSession& session) {
   results["machine"] = report::machine_json(report::this_machine());
   results["results"] = rows_of(session.all());
   add_shares(results["results"]);
+  add_local_orders(results["results"]);
   return results;
 }
 
