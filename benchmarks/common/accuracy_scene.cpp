@@ -62,8 +62,7 @@ std::vector<AccuracyScene> accuracy_scenes(bool quick, const std::filesystem::pa
                         end_after(scene, contacts, ratio);
                         return scene;
                       },
-                      many,
-                      {}});
+                      many});
   };
   add("packing", [side = quick ? 6 : 10] { return packing(side, 1.0, 1.0); });
   add("gas", [size = quick ? 200 : 1000] { return gas(size); });

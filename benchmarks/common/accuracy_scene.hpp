@@ -17,7 +17,8 @@ struct AccuracyScene {
   std::string name;
   std::function<Scene(double steps_per_contact)> make;
   std::vector<double> steps_per_contact;
-  std::optional<PairGas> gas;  ///< where it is one of isolated pairs
+  std::optional<PairGas> gas = {};  ///< where it is one of isolated pairs
+  int finer = 64;  ///< times that a reference solution's step is finer than the finest measured
 };
 
 /// Pair gases, then "packing", "gas" and "bed", of many contacts, short enough not to be chaotic. The bed's

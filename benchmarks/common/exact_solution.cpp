@@ -55,7 +55,7 @@ const Exact& fine_solution(const AccuracyScene& scene, Variant variant) {
   Exact& exact = known[{scene.name, variant}];
   if (!exact.velocity.empty()) return exact;
   const double ratio =
-      finer * *std::max_element(scene.steps_per_contact.begin(), scene.steps_per_contact.end());
+      scene.finer * *std::max_element(scene.steps_per_contact.begin(), scene.steps_per_contact.end());
   exact.velocity = solution_at(scene, variant, ratio);
   exact.uncertainty = scene_error(scene, solution_at(scene, variant, 0.5 * ratio), exact.velocity,
                                   compared(scene, velocities_of(scene.make(1.0))));

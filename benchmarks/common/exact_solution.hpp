@@ -14,8 +14,6 @@ struct Exact {
   double uncertainty = 0.0;    ///< error of this solution itself: its distance to that of twice the step
 };
 
-inline constexpr int finer = 64;  ///< of the step of a reference solution than the finest that is measured
-
 /// Where no closed form is known: the reference engine's solution, with the most accurate integrator that it
 /// has. Computed once a process.
 const Exact& fine_solution(const AccuracyScene& scene, Variant variant);
