@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 
 #include "app/bench_roofline.hpp"
 #include "app/bench_session.hpp"
 #include "app/bench_suites.hpp"
 #include "app/bench_tables.hpp"
+#include "app/bench_work_precision.hpp"
 #include "app/exit_code.hpp"
 #include "app/resources.hpp"
 #include "comparisons/peers/process.hpp"
 #include "model/errors.hpp"
+#include "report/bench_page.hpp"
 #include "report/files.hpp"
 #include "report/run_summary.hpp"
 
@@ -60,12 +64,27 @@ void draw_plots(const fs::path& out, Progress& progress) {
     throw EngineFailed("the plots failed:\n" + last_lines(folder.path() / "output", 5));
 }
 
+/// The pictures of the folder, in the order of their names.
+std::vector<std::pair<std::string, std::string>> pictures_in(const fs::path& out) {
+  std::vector<std::pair<std::string, std::string>> pictures;
+  for (const fs::directory_entry& entry : fs::directory_iterator(out)) {
+    if (entry.path().extension() != ".svg") continue;
+    std::ifstream file(entry.path());
+    std::ostringstream text;
+    text << file.rdbuf();
+    pictures.emplace_back(entry.path().stem().string(), text.str());
+  }
+  std::sort(pictures.begin(), pictures.end());
+  return pictures;
+}
+
 nlohmann::json results_of(const BenchSession& session) {
   nlohmann::json results = session.extra;
   results["schema"] = 1;
   results["machine"] = report::machine_json(report::this_machine());
   results["results"] = rows_of(session.all());
   add_shares(results["results"]);
+  add_local_orders(results["results"]);
   return results;
 }
 
@@ -77,6 +96,8 @@ void write_results(const BenchOptions& options, const BenchSession& session, con
   report::write_file(options.out / "results.json", json);
   report::write_file(options.out / "tables.txt", tables);
   draw_plots(options.out, progress);
+  report::write_file(options.out / "index.html",
+                     report::bench_page(report::this_machine(), pictures_in(options.out), tables));
 }
 
 }  // namespace

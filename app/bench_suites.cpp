@@ -170,6 +170,7 @@ constexpr std::array accuracy_columns{
     ShownColumn{"integrator", "integrator"},
     ShownColumn{"steps_per_contact", "steps a contact"},
     ShownColumn{"error", "error"},
+    ShownColumn{"order", "order"},
     ShownColumn{"wall_s", "s"},
     ShownColumn{"status", "status"},
 };

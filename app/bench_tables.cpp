@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/bench_tables.hpp"
 
+#include <cmath>
+#include <map>
 #include <sstream>
 
 #include "report/numbers.hpp"
@@ -74,11 +76,58 @@ std::string order_text(const json& order) {
          order.at("precision").get<std::string>() + ", " + order.at("integrator").get<std::string>() + "\n";
 }
 
-std::string decade_text(const json& decade) {
-  return "  error " + report::brief(decade.at("error").get<double>()) + ", " +
-         decade.at("who").get<std::string>() + ": " + report::duration(decade.at("wall_s").get<double>()) +
-         " with " + decade.at("integrator").get<std::string>() + ", " +
-         std::to_string(decade.at("steps_per_contact").get<int>()) + " steps a contact\n";
+std::string known_text(const json& known) {
+  return "  " + known.at("engine").get<std::string>() +
+         (known.at("reproduced").get<bool>() ? " reproduces" : " DOES NOT reproduce") +
+         " the errors that it is known to make; the largest deviation is " +
+         report::brief(100.0 * known.at("largest_deviation").get<double>()) + " %\n";
+}
+
+std::string time_to_error_text(const json& time) {
+  const std::string who = time.at("who").get<std::string>() + ", " + time.at("integrator").get<std::string>();
+  const std::string what =
+      "  to an error of " + report::brief(time.at("error").get<double>()) + " in the pair gas, " + who + ": ";
+  if (time.at("wall_s").is_null()) return what + "not reached\n";
+  return what + report::duration(time.at("wall_s").get<double>()) + ", " +
+         report::brief(time.at("steps_per_contact").get<double>()) + " steps a contact\n";
+}
+
+std::string failure_text(const json& row) {
+  std::string text = "  " + row.at("scene").get<std::string>() + ", " + row.at("engine").get<std::string>() +
+                     " " + row.at("precision").get<std::string>() + ", " +
+                     row.at("integrator").get<std::string>();
+  if (row.contains("steps_per_contact")) text += ", " + cell(row, "steps_per_contact") + " steps a contact";
+  return text + ": " + row.at("status").get<std::string>() + "\n";
+}
+
+std::string with_what(const json& decade) {
+  std::string engine = decade.at("engine").get<std::string>();
+  if (engine == "opencl") engine += " " + decade.at("precision").get<std::string>();
+  return engine + ", " + decade.at("integrator").get<std::string>() + ", " +
+         cell(decade, "steps_per_contact");
+}
+
+/// A row a scene and decade, with the cheapest way of ours and of each peer.
+std::string decades_text(const json& decades, const report::Paint& paint) {
+  std::map<std::pair<std::string, int>, std::map<std::string, const json*>> rows;
+  for (const json& decade : decades)
+    rows[{decade.at("scene").get<std::string>(), -decade.at("decade").get<int>()}]
+        [decade.at("side").get<std::string>()] = &decade;
+  report::TextTable table({{"scene", report::Align::left},
+                           {"error", report::Align::right},
+                           {"ours", report::Align::right},
+                           {"with, steps a contact", report::Align::left},
+                           {"LAMMPS", report::Align::right},
+                           {"LIGGGHTS", report::Align::right}});
+  for (const auto& [key, sides] : rows) {
+    const auto time = [&](const char* side) {
+      return sides.contains(side) ? report::duration(sides.at(side)->at("wall_s").get<double>())
+                                  : std::string();
+    };
+    table.add({key.first, report::brief(std::pow(10.0, -key.second)), time("ours"),
+               sides.contains("ours") ? with_what(*sides.at("ours")) : "", time("lammps"), time("liggghts")});
+  }
+  return rows.empty() ? "" : "  What each decade of accuracy costs\n" + table.text(paint, "  ");
 }
 
 std::string share_text(const json& safe) {
@@ -106,9 +155,15 @@ std::string suite_text(const Suite& suite, const json& results, const report::Pa
   for (const json& ratio : rows_of_suite(results, "ratios", suite.name)) text << ratio_text(ratio);
   for (const json& best : rows_of_suite(results, "best_skins", suite.name)) text << skin_text(best);
   for (const json& order : rows_of_suite(results, "orders", suite.name)) text << order_text(order);
-  for (const json& decade : rows_of_suite(results, "decades", suite.name)) text << decade_text(decade);
+  for (const json& known : rows_of_suite(results, "known_errors", suite.name)) text << known_text(known);
+  for (const json& time : rows_of_suite(results, "times_to_error", suite.name))
+    text << time_to_error_text(time);
+  text << decades_text(rows_of_suite(results, "decades", suite.name), paint);
   for (const json& safe : rows_of_suite(results, "safe_shares", suite.name)) text << share_text(safe);
   for (const json& one : rows_of_suite(results, "agreement", suite.name)) text << agreement_text(one);
+  const json failed = rows_of_suite(results, "failed", suite.name);
+  if (!failed.empty()) text << "  Not measured, with the reason\n";
+  for (const json& row : failed) text << failure_text(row);
   return text.str();
 }
 

@@ -37,6 +37,7 @@ report::RunSummary summarise(const ChosenScene& chosen, const Observations& seen
   summary.particles = static_cast<std::int64_t>(chosen.scene.particles.size());
   summary.frames = frames;
   summary.step = chosen.scene.run.step;
+  summary.step_because = chosen.step_because;
   if (!seen.frames.empty()) summary.contacts = report::count_contacts(chosen.scene, seen.frames.back());
   summary.peak_memory = report::peak_memory_bytes();
   return summary;

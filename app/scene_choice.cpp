@@ -31,7 +31,7 @@ ChosenScene choose_scene(const std::filesystem::path& data, const std::string& n
   if (nth == 0 && count > 1)
     progress.say(subject.name + " expands to " + std::to_string(count) + " scenes; taking the first (" +
                  described(chosen.point) + "), --nth N takes another");
-  return {subject.name, std::move(chosen.scene)};
+  return {subject.name, std::move(chosen.scene), chosen.point.step_because};
 }
 
 }  // namespace grainproof::app

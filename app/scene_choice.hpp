@@ -12,6 +12,7 @@ namespace grainproof::app {
 struct ChosenScene {
   std::string name;  ///< the case's
   Scene scene;
+  std::string step_because = {};  ///< as SweepPoint has it
 };
 
 /// The nth scene (from 1) of the case that a file expands to. With 0 it is the first, and `progress`

@@ -49,8 +49,11 @@ class Expansion {
   }
 
   void over_steps(const Scene& scene, const StabilityGuard& guard) {
-    if (sweep_.steps.empty()) return over_rotations(scene, *set_up_.step, guard);
-    for (const StepWish& wish : sweep_.steps) over_rotations(scene, wish, guard);
+    const auto over = [&](const StepWish& wish) {
+      over_rotations(scene, with_error_resolved(wish, scene, set_up_.impact_speed), guard);
+    };
+    if (sweep_.steps.empty()) return over(*set_up_.step);
+    for (const StepWish& wish : sweep_.steps) over(wish);
   }
 
   void over_rotations(const Scene& scene, const StepWish& wish, const StabilityGuard& guard) {
@@ -71,6 +74,7 @@ class Expansion {
     guard.check(step, wish.place);
     ResolvedScene& resolved =
         out_.emplace_back(ResolvedScene{scene, {wish.label, wish.steps_per_contact, sample, values_}});
+    resolved.point.step_because = wish.because;
     RunSettings& run = resolved.scene.run;
     run.step = step;
     run.sample_times = sample_times(set_up_.record, run.end, step, wish.place);

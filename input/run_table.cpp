@@ -52,6 +52,12 @@ Integrator read_integrator(const Node& node) {
 }
 
 StepWish read_step(const Node& node) {
+  if (node.is_table()) {
+    const Node error = node.table().only({"error"}).at("error");
+    StepWish wish{"error/" + error.label(), 0.0, 0.0, node};
+    wish.error = error.number_within(1e-9, 0.5);
+    return wish;
+  }
   if (node.is_text()) return {node.text(), 0.0, steps_per_contact(node), node};
   const double seconds = node.positive();
   return {node.label(), seconds, 0.0, node};

@@ -13,12 +13,14 @@
 /// What one point of a sweep's numbers says, before steps and samples are resolved.
 namespace grainproof::input {
 
-/// A step as written: seconds, or a fraction of the shortest contact.
+/// A step as written: seconds, a fraction of the shortest contact, or the error that it may make.
 struct StepWish {
   std::string label;
-  double seconds = 0.0;            ///< 0 where relative
-  double steps_per_contact = 0.0;  ///< 0 where in seconds
+  double seconds = 0.0;            ///< 0 unless in seconds
+  double steps_per_contact = 0.0;  ///< 0 unless relative
   Node place;
+  double error = 0.0;        ///< 0 unless by error
+  std::string because = {};  ///< what chose the seconds, where that was not the file
 };
 
 struct RecordWish {

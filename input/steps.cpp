@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analytic/contact_scales.hpp"
+#include "analytic/step_for_error.hpp"
 #include "input/text.hpp"
 
 namespace grainproof::input {
@@ -19,6 +20,16 @@ constexpr double most_frames = 1e6;
 std::optional<double> shortest_contact_of(const SetUp& set_up) {
   const auto shortest = analytic::shortest_contact(set_up.scene, set_up.impact_speed);
   return shortest ? std::optional(shortest->duration) : std::nullopt;
+}
+
+StepWish with_error_resolved(StepWish wish, const Scene& scene, const std::optional<double>& impact_speed) {
+  if (wish.error == 0.0) return wish;
+  const analytic::StepForError choice = analytic::step_for_error(scene, wish.error, impact_speed);
+  if (!choice.lacks.empty())
+    wish.place.refuse("a step by its error", "another way to give it, since " + choice.lacks);
+  wish.seconds = choice.step;
+  wish.because = choice.because;
+  return wish;
 }
 
 double resolved_step(const StepWish& wish, double dither, const std::optional<double>& contact) {

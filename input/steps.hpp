@@ -11,6 +11,10 @@ namespace grainproof::input {
 /// shortest contact in s, and none where nothing can touch.
 double resolved_step(const StepWish& wish, double dither, const std::optional<double>& contact);
 
+/// A wish by error becomes one in seconds, with the reason; others are left as they are. Refuses laws and
+/// integrators whose errors were not measured.
+StepWish with_error_resolved(StepWish wish, const Scene& scene, const std::optional<double>& impact_speed);
+
 /// Duration of the shortest contact of a scene, s.
 std::optional<double> shortest_contact_of(const SetUp& set_up);
 

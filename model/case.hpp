@@ -16,6 +16,7 @@ struct SweepPoint {
   double steps_per_contact = 0.0;  ///< nominal t_c/Δt; 0 where the step was given in seconds
   int sample = 0;                  ///< onset phase, orientation, …: what a statistic is taken over
   std::map<std::string, std::string> values;  ///< every other swept key: "integrator", "offset", …
+  std::string step_because = {};  ///< what chose the step, where that was `step = { error = … }`
 };
 
 struct ResolvedScene {

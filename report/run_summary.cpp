@@ -91,6 +91,7 @@ json summary_json(const RunSummary& summary, const Observations& seen, const Mac
           {"outcome", outcome_json(seen.outcome)},
           {"particles", summary.particles},
           {"step", summary.step},
+          {"step_because", summary.step_because.empty() ? json(nullptr) : json(summary.step_because)},
           {"steps", seen.counters.steps},
           {"frames", summary.frames},
           {"wall_s", seen.wall_s},
@@ -115,6 +116,7 @@ std::string summary_text(const RunSummary& summary, const Observations& seen, co
        << (from.device.empty() ? "" : ", " + from.device) << "\n"
        << "  particles      " << grouped(summary.particles) << "\n"
        << "  steps          " << grouped(seen.counters.steps) << " of " << brief(summary.step) << " s\n"
+       << (summary.step_because.empty() ? "" : "  step chosen    " + summary.step_because + "\n")
        << "  wall time      " << duration(seen.wall_s) << ", " << brief(cundall_number(summary, seen))
        << " particle-steps a second\n"
        << "  contacts       " << contacts_text(summary) << "\n"

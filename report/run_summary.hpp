@@ -18,7 +18,8 @@ struct RunSummary {
   std::string scene;  ///< the file's name
   std::int64_t particles = 0;
   std::int64_t frames = 0;
-  double step = 0.0;  ///< s
+  double step = 0.0;              ///< s
+  std::string step_because = {};  ///< what chose it; empty where the scene says it outright
   ContactCount contacts;
   std::int64_t peak_memory = 0;  ///< bytes
 };

@@ -14,6 +14,9 @@ namespace {
 constexpr double spacing = 8.0 * diameter;      // of pairs, which never meet one another
 constexpr double hertz_youngs_modulus = 4.0e7;  // Pa: contacts that last as long as the linear ones
 constexpr double hertz_poisson_ratio = 0.3;
+constexpr double effect = 1.02;              // effect diameters over diameters
+constexpr double cohesion_stiffness = 50.0;  // N/m: takes up to an eighth of the slowest pair's energy
+constexpr double relaxation_contacts = 4.0;  // contacts that drag's relaxation time lasts
 
 double sphere_mass(double of_diameter) {
   return density * std::numbers::pi / 6.0 * std::pow(of_diameter, 3);
@@ -33,43 +36,63 @@ ContactLaws laws_of(const PairGas& gas) {
     laws.normal = HertzNormal{Restitution{gas.restitution}};
   else
     laws.normal = LinearNormal{stiffness, Restitution{gas.restitution}};
+  if (gas.cohesive) laws.cohesion = LinearCohesion{cohesion_stiffness};
   if (gas.oblique) laws.friction = HistoryFriction{friction, 2.0 / 7.0 * stiffness, 0.5};
   return laws;
 }
 
-/// Time scale that steps are counted in: of the largest spheres; never a whole number of steps where all are
-/// alike.
-double longest_contact(const PairGas& gas) {
-  const double largest = (gas.oblique ? 1.03 : 1.2) * diameter;
-  return contact_time(0.5 * sphere_mass(largest), gas.restitution);
+/// Time scale that steps are counted in.
+double counted_contact(const PairGas& gas) {
+  return contact_time(0.5 * sphere_mass(gas.counted_in * diameter), gas.restitution);
+}
+
+/// Contacts of that kind until the last pair has parted, effect surfaces included.
+std::int64_t contacts_to_part(const PairGas& gas) {
+  return gas.cohesive ? 4 : 2;
 }
 
 /// The two bodies of a pair about `centre`, to touch after the time `until`.
 void add_pair(Scene& scene, const PairGas& gas, const Vec3& centre, double until, input::Uniform& uniform) {
   const Vec3 normal = random_direction(uniform);
   const double speed = 0.5 + uniform();
-  const auto random_diameter = [&] { return gas.oblique ? diameter : diameter * (0.8 + 0.4 * uniform()); };
+  const auto random_diameter = [&] {
+    return gas.spread == 0.0 ? diameter : diameter * (1.0 + gas.spread * (2.0 * uniform() - 1.0));
+  };
+  const double reach = gas.cohesive ? effect : 1.0;
   const double one = random_diameter(), two = random_diameter();
-  const Vec3 apart = (0.5 * (one + two) + speed * until) * normal;
+  const Vec3 apart = (0.5 * reach * (one + two) + speed * until) * normal;
   Vec3 velocity = -speed * normal;
   if (gas.oblique) velocity += (2.0 * uniform() * speed) * normal.cross(random_direction(uniform));
   const Vec3 drift = gas.oblique ? Vec3(velocity + speed * normal) : Vec3(Vec3::Zero());
   const auto id = static_cast<std::int64_t>(scene.particles.size()) + 1;
   scene.particles.push_back(
-      {id, 0, false, one, one, centre - 0.5 * apart + 0.5 * until * drift, -0.5 * velocity});
+      {id, 0, false, one, reach * one, centre - 0.5 * apart + 0.5 * until * drift, -0.5 * velocity});
   scene.particles.push_back(
-      {id + 1, 0, false, two, two, centre + 0.5 * apart - 0.5 * until * drift, 0.5 * velocity});
+      {id + 1, 0, false, two, reach * two, centre + 0.5 * apart - 0.5 * until * drift, 0.5 * velocity});
 }
 
 }  // namespace
 
 std::vector<PairGas> pair_gases(bool quick) {
   const std::int64_t few = quick ? 100 : 500, many = quick ? 1000 : 10000;
+  // Where all are alike the ratio of contact to step is never a whole number.
   return {{"head_on", few, 0.8},
           {"elastic", few, 1.0},
           {"hertz", few, 0.8, true},
-          {"oblique", few, 0.8, false, true},
+          {.name = "oblique",
+           .pairs = few,
+           .restitution = 0.8,
+           .oblique = true,
+           .spread = 0.0,
+           .counted_in = 1.03},
+          {.name = "cohesive", .pairs = few, .restitution = 0.8, .cohesive = true},
+          {.name = "drag", .pairs = few, .restitution = 0.8, .drag = true, .spread = 0.0, .counted_in = 1.03},
           {"pair_gas", many, 0.8}};
+}
+
+double pair_viscosity() {
+  const double relaxation = relaxation_contacts * contact_time(0.5 * sphere_mass(diameter), 1.0);
+  return density * diameter * diameter / (18.0 * relaxation);
 }
 
 double contact_time(double effective_mass, double of_restitution) {
@@ -84,22 +107,19 @@ Scene pair_scene(const PairGas& gas, double steps_per_contact) {
   if (gas.hertz) scene.materials[0].elasticity = Elasticity{hertz_youngs_modulus, hertz_poisson_ratio};
   scene.contacts.set(0, 0, laws_of(gas));
   scene.rotation = gas.oblique;
-  scene.run.step = longest_contact(gas) / steps_per_contact;
+  if (gas.drag) scene.flow = UniformFlow{pair_viscosity(), Vec3::Zero()};
+  scene.run.step = counted_contact(gas) / steps_per_contact;
   scene.run.skin = diameter;
   input::Uniform uniform(7);
   for (std::int64_t pair = 0; pair < gas.pairs; ++pair) {
     const Vec3 cell(static_cast<double>(pair % side), static_cast<double>(pair / side % side),
                     static_cast<double>(pair / (side * side)));
-    const double until = longest_contact(gas) * (0.2 + 0.3 * uniform());
+    const double until = counted_contact(gas) * (0.2 + 0.3 * uniform());
     add_pair(scene, gas, spacing * (cell + Vec3::Constant(0.5)), until, uniform);
   }
-  scene.run.end = scene.run.step * static_cast<double>(steps_to_part(scene, steps_per_contact));
+  scene.run.end = static_cast<double>(contacts_to_part(gas)) * counted_contact(gas);
   scene.run.sample_times = {0.0, scene.run.end};
   return scene;
-}
-
-std::int64_t steps_to_part(const Scene&, double steps_per_contact) {
-  return static_cast<std::int64_t>(std::ceil(2.0 * steps_per_contact));
 }
 
 std::vector<Vec3> relative_velocities(const std::vector<Vec3>& velocity) {

@@ -12,21 +12,29 @@
 namespace grainproof::bench {
 
 struct PairGas {
-  std::string name;  ///< "head_on", "elastic", "hertz", "oblique", "pair_gas"
+  std::string name;  ///< "head_on", "elastic", "hertz", "oblique", "cohesive", "drag", "pair_gas"
   std::int64_t pairs;
   double restitution;
   bool hertz = false;
-  bool oblique = false;  ///< with sliding, history friction and rotation; all diameters equal
+  bool oblique = false;     ///< with sliding, history friction and rotation
+  bool cohesive = false;    ///< attraction that begins a fiftieth of a diameter apart
+  bool drag = false;        ///< in a still fluid that slows the bodies down within some contacts
+  double spread = 0.2;      ///< of diameters, about the usual one
+  double counted_in = 1.2;  ///< diameters of the spheres whose contact steps are counted in
+
+  /// Whether each pair's rebound is known as a number.
+  bool closed_form() const { return !oblique && !cohesive && !drag; }
 };
 
 /// Those of the suite; "pair_gas" is the one whose time counts.
 std::vector<PairGas> pair_gases(bool quick);
 
-/// At `steps_per_contact` steps of the longest-lasting contact's time scale.
+/// At `steps_per_contact` steps of a contact of PairGas::counted_in, a whole number of them until every pair
+/// has parted.
 Scene pair_scene(const PairGas& gas, double steps_per_contact);
 
-/// Steps until every pair has parted.
-std::int64_t steps_to_part(const Scene& scene, double steps_per_contact);
+/// Of the viscosity that PairGas::drag has, Pa s.
+double pair_viscosity();
 
 /// Relative velocity of each pair, second minus first.
 std::vector<Vec3> relative_velocities(const std::vector<Vec3>& velocity);

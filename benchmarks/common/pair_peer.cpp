@@ -68,18 +68,33 @@ std::string liggghts_style(const PairGas& gas, const Scene& scene) {
          property("coefficientFriction", gas.oblique ? friction : 0.0);
 }
 
+/// Of both programs: γ v on every body, all of one size.
+std::string drag_fix() {
+  std::ostringstream out;
+  out.precision(17);
+  out << "fix drag all viscous " << 3.0 * std::numbers::pi * pair_viscosity() * diameter << '\n';
+  return out.str();
+}
+
+std::string boundaries(const Scene& scene) {
+  std::string text = "boundary";
+  for (int axis = 0; axis < 3; ++axis) text += scene.domain.periodic(axis) ? " p" : " f";
+  return text + "\n" + (scene.walls.empty() ? "" : "processors * * 1\n");
+}
+
 /// The velocities are written down after the run that is timed.
-std::string deck(PeerProgram program, const PairGas& gas, const Scene& scene, std::int64_t steps) {
+std::string deck(PeerProgram program, const std::string& contacts, const Scene& scene, std::int64_t steps) {
   const bool lammps = program == PeerProgram::lammps;
   std::ostringstream out;
   out.precision(17);
   out << (lammps ? "atom_style sphere\n" : "soft_particles yes\nhard_particles yes\natom_style granular\n")
-      << "atom_modify map array\nboundary f f f\nnewton off\n"
+      << "atom_modify map array\n"
+      << boundaries(scene) << "newton off\n"
       << (lammps ? "comm_modify vel yes\n" : "communicate single vel yes\n")
       << "units si\nread_data data\nneighbor " << scene.run.skin << " bin\nneigh_modify delay 0\n"
-      << (lammps ? lammps_style(gas) : liggghts_style(gas, scene)) << "fix motion all nve"
-      << (scene.rotation ? "/sphere" : "") << "\ntimestep " << scene.run.step << "\nthermo 1000000000\nrun "
-      << steps << "\ndump last all custom 1 frame id vx vy vz\ndump_modify last first yes "
+      << contacts << "fix motion all nve" << (scene.rotation ? "/sphere" : "") << "\ntimestep "
+      << scene.run.step << "\nthermo 1000000000\nrun " << steps
+      << "\ndump last all custom 1 frame id vx vy vz\ndump_modify last first yes "
       << (lammps ? "format line" : "format") << " \"%d %.17g %.17g %.17g\"\nrun 0\n";
   return out.str();
 }
@@ -107,16 +122,30 @@ double loop_seconds(const std::filesystem::path& output) {
 }  // namespace
 
 std::string peer_lacks(PeerProgram program, const PairGas& gas) {
+  if (gas.cohesive) return "the peers' cohesion is another one";
   if (program == PeerProgram::lammps && gas.hertz)
     return "the dashpot of LAMMPS' gran/hertz is another one, so its restitution depends on speed";
   return {};
 }
 
-PeerPoint run_peer(PeerProgram program, const PairGas& gas, const Scene& scene, std::int64_t steps,
-                   int processes) {
+std::string pair_contacts(PeerProgram program, const PairGas& gas, const Scene& scene) {
+  return (program == PeerProgram::lammps ? lammps_style(gas) : liggghts_style(gas, scene)) +
+         (gas.drag ? drag_fix() : "");
+}
+
+std::vector<double> peer_restitutions(const PairGas& gas, const Scene& scene) {
+  std::vector<double> restitutions;
+  for (std::size_t pair = 0; 2 * pair < scene.particles.size(); ++pair)
+    restitutions.push_back(
+        gas.hertz ? gas.restitution : restitution_at(damping_rate(gas), effective_mass_of_pair(scene, pair)));
+  return restitutions;
+}
+
+PeerRun run_peer(PeerProgram program, const std::string& contacts, const Scene& scene, std::int64_t steps,
+                 int processes) {
   const TemporaryFolder folder;
   write_peer_data(scene, folder.path() / "data");
-  std::ofstream(folder.path() / "deck") << deck(program, gas, scene, steps);
+  std::ofstream(folder.path() / "deck") << deck(program, contacts, scene, steps);
   std::vector<std::string> words;
   if (processes > 1)
     words = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", std::to_string(processes)};
@@ -125,13 +154,7 @@ PeerPoint run_peer(PeerProgram program, const PairGas& gas, const Scene& scene, 
     words.emplace_back(word);
   const std::filesystem::path output = folder.path() / "output";
   if (run_program(words, folder.path(), output) != 0) throw EngineFailed(last_lines(output, 3));
-  PeerPoint point;
-  point.velocity = read_velocities(folder.path() / "frame", scene.particles.size());
-  point.loop_s = loop_seconds(output);
-  for (std::size_t pair = 0; 2 * pair < scene.particles.size(); ++pair)
-    point.restitution.push_back(
-        gas.hertz ? gas.restitution : restitution_at(damping_rate(gas), effective_mass_of_pair(scene, pair)));
-  return point;
+  return {read_velocities(folder.path() / "frame", scene.particles.size()), loop_seconds(output)};
 }
 
 }  // namespace grainproof::bench

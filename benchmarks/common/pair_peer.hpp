@@ -8,19 +8,23 @@
 
 namespace grainproof::bench {
 
-/// What a peer makes of a pair gas.
-struct PeerPoint {
+/// Why a peer cannot run a pair gas, or empty.
+std::string peer_lacks(PeerProgram program, const PairGas& gas);
+
+/// The lines of a deck that say what acts in a pair gas.
+std::string pair_contacts(PeerProgram program, const PairGas& gas, const Scene& scene);
+
+/// That each pair should leave with: a peer's dashpot is one rate for all masses.
+std::vector<double> peer_restitutions(const PairGas& gas, const Scene& scene);
+
+struct PeerRun {
   std::vector<Vec3> velocity;  ///< of each particle, at the end
-  std::vector<double>
-      restitution;  ///< that each pair should leave with: its dashpot is one rate for all masses
   double loop_s = 0.0;
 };
 
-/// Why not, or empty.
-std::string peer_lacks(PeerProgram program, const PairGas& gas);
-
-/// Throws EngineFailed with what the program said last.
-PeerPoint run_peer(PeerProgram program, const PairGas& gas, const Scene& scene, std::int64_t steps,
-                   int processes);
+/// From the scene's start to its end, with `contacts` as what acts. Throws EngineFailed with what the program
+/// said last.
+PeerRun run_peer(PeerProgram program, const std::string& contacts, const Scene& scene, std::int64_t steps,
+                 int processes);
 
 }  // namespace grainproof::bench

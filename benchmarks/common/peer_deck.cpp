@@ -73,6 +73,11 @@ std::string liggghts_contacts(const Scene& scene) {
 
 }  // namespace
 
+std::string peer_contacts(PeerProgram program, const Scene& scene) {
+  return (program == PeerProgram::lammps ? lammps_contacts(scene) : liggghts_contacts(scene)) +
+         (scene.walls.empty() ? "" : "fix weight all gravity 9.81 vector 0 0 -1\n");
+}
+
 void write_peer_data(const Scene& scene, const std::filesystem::path& file) {
   std::ofstream out(file);
   out.precision(std::numeric_limits<double>::max_digits10);
@@ -102,10 +107,8 @@ std::string peer_deck(PeerProgram program, const Scene& scene, double skin, std:
       << (lammps ? "comm_modify vel yes\n" : "communicate single vel yes\n") << "units si\n"
       << (floor ? "processors * * 1\n" : "") << "read_data data\nneighbor " << skin
       << " bin\nneigh_modify delay 0\n"
-      << (lammps ? lammps_contacts(scene) : liggghts_contacts(scene));
-  if (floor) out << "fix weight all gravity 9.81 vector 0 0 -1\n";
-  out << "fix motion all nve/sphere\ntimestep " << time_step << "\nthermo 1000000000\nrun " << warm_up
-      << "\nrun " << steps << '\n';
+      << peer_contacts(program, scene) << "fix motion all nve/sphere\ntimestep " << time_step
+      << "\nthermo 1000000000\nrun " << warm_up << "\nrun " << steps << '\n';
   return out.str();
 }
 

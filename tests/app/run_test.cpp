@@ -44,6 +44,17 @@ TEST(RunCommand, WritesSummaryAndFramesFromStartToEnd) {
   EXPECT_FALSE(std::filesystem::exists(out + "/frame_000005.vtp"));
 }
 
+TEST(RunCommand, SaysWhatChoseAStepThatIsGivenByItsError) {
+  const Scratch scratch;
+  const std::string scene =
+      scratch.file("falling.toml", falling_sphere("step = \"contact/32\"", "step = { error = 1e-2 }"));
+  const Ended ended = run_program("run " + scene + " --json " + scratch.path("s.json").string());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("step chosen    error 0.01: "), std::string::npos) << ended.out;
+  const auto because = json_of(scratch.path("s.json"))["step_because"].get<std::string>();
+  EXPECT_NE(because.find("restitution 0.8"), std::string::npos) << because;
+}
+
 TEST(RunCommand, SummaryHasWhatItsReadersNeed) {
   const Scratch scratch;
   const std::string scene = scratch.file("falling.toml", falling_sphere());
