@@ -16,11 +16,11 @@ INLINE uint partner_to_pack(Strained s, int k, int self, int lane, int* walls) {
   if (k < s.head.w) {
     partner |= (uint)lowest_bit((uint)*walls);
     *walls &= *walls - 1;
-  } else {
-    partner = s.list[(size_t)slot * GROUP + lane] / UNITS_A_RECORD;
-    if (partner <= (uint)self) return 0;
   }
-  return is_strained(mark) && !is_zero(spring_in(s.springs, mark, lane)) ? partner : 0;
+  if (!is_strained(mark) || is_zero(spring_in(s.springs, mark, lane))) return 0;
+  if (k < s.head.w) return partner;
+  partner = s.list[(size_t)slot * GROUP + lane] / UNITS_A_RECORD;
+  return partner > (uint)self ? partner : 0;
 }
 
 INLINE int springs_to_pack(Strained s, int self, int lane) {
