@@ -28,7 +28,7 @@ std::size_t size_of(const cl::Buffer& buffer) {
 
 /// A little more than asked for, so that not every list asks anew.
 constexpr std::int64_t with_slack(std::int64_t wanted) {
-  return wanted + wanted / 32 + 64;
+  return wanted + wanted / 128 + 32;
 }
 
 /// Nor is there room for half as much again, once a skin has shrunk.
@@ -104,11 +104,11 @@ DenseList::Scratch DenseList::scratch_in(cl::Buffer& records) {
   return s;
 }
 
-// As many rows beyond those of the start as the last list has come to; where it ran short, twice as many,
-// though never more than there are slots.
+// As many rows beyond those of the start as the last list has come to; where it ran short, four times as
+// many, though never more than there are slots.
 void DenseList::build(DenseWorld& world, Program& program, int turn, std::int64_t rows_taken) {
   if (!scan_) scan_.emplace(workshop_, program, zones_ + 1, work_group_);
-  reserve_ = rows_taken >= row_room_ ? std::min(std::max(2 * reserve_, first_reserve()), slots_ - rows_)
+  reserve_ = rows_taken >= row_room_ ? std::min(std::max(4 * reserve_, first_reserve()), slots_ - rows_)
                                      : std::max(reserve_, (rows_taken - rows_) * 9 / 8);
   const auto other = static_cast<std::size_t>(1 - turn);
   const Scratch& scratch = scratch_[other];

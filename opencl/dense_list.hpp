@@ -59,7 +59,7 @@ class DenseList {
   void fill_zones(DenseWorld& world, Program& program, int turn, const Scratch& scratch);
   void make_room(DenseWorld& world);
   void make_row_room(DenseWorld& world);
-  std::int64_t first_reserve() const { return (slots_ - rows_) / 3; }
+  std::int64_t first_reserve() const { return (slots_ - rows_) / 12 + 16; }
   void settle(DenseWorld& world, Program& program, int turn);
 
   Workshop& workshop_;
