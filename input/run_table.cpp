@@ -63,6 +63,12 @@ StepWish read_step(const Node& node) {
   return {node.label(), seconds, 0.0, node};
 }
 
+double read_skin(const Node& node) {
+  if (!node.is_text()) return node.not_negative();
+  if (node.text() != "auto") node.refuse_name({"auto"});
+  return RunSettings::searched_skin;
+}
+
 void read_run(const Table& table, SetUp& set_up) {
   table.only({"end", "step", "beyond_stability", "impact_speed", "order", "integrator", "neighbours", "skin",
               "overlap_limit", "record"});
@@ -74,7 +80,7 @@ void read_run(const Table& table, SetUp& set_up) {
   if (const auto order = table.find("order")) run.order = order->choice(orders);
   if (const auto integrator = table.find("integrator")) run.integrator = read_integrator(*integrator);
   if (const auto search = table.find("neighbours")) run.neighbours = search->choice(searches);
-  if (const auto skin = table.find("skin")) run.skin = skin->not_negative();
+  if (const auto skin = table.find("skin")) run.skin = read_skin(*skin);
   if (const auto limit = table.find("overlap_limit")) run.overlap_limit = limit->positive();
   if (const auto record = table.find("record")) set_up.record = read_record(record->table());
 }

@@ -2,50 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes the lists of a window down, and carries springs over from the list before.
 typedef struct {
-  const global int4* heads;
-  const global uint* list;
-  const global real* springs;
-  const global int* strained;
-  const global int* members;  // where a particle of now was then
-} Former;
-
-typedef struct {
   global int4* heads;
   global uint* list;
   global real* springs;
-  global int* strained;
+  global int* marks;
 } Latter;
-
-INLINE real4 spring_in(const global real* springs, int slot, int lane) {
-  const global real* row = springs + (size_t)slot * (3 * GROUP) + lane;
-  return (real4)(row[0], row[GROUP], row[2 * GROUP], 0);
-}
-
-INLINE void put_spring(Latter l, int slot, int lane, real4 spring) {
-  if (spring.x == 0 && spring.y == 0 && spring.z == 0) return;
-  global real* row = l.springs + (size_t)slot * (3 * GROUP) + lane;
-  row[0] = spring.x;
-  row[GROUP] = spring.y;
-  row[2 * GROUP] = spring.z;
-  note_strain(l.strained, slot, 1);
-}
-
-// The spring of particle `old` with partner `old_partner`, both as they stood then.
-INLINE real4 former_spring(Former f, int old, int old_partner) {
-  const int4 head = f.heads[old / GROUP];
-  const int lane = old % GROUP;
-  const uint wanted = (uint)old_partner * UNITS_A_RECORD;
-  for (int k = head.x + head.w; k < head.x + head.y; ++k)
-    if (may_be_strained(f.strained, k) && f.list[(size_t)k * GROUP + lane] == wanted) return spring_in(f.springs, k, lane);
-  return (real4)(0);
-}
-
-// Slots of walls stand in the order of the walls near the group, then and now.
-INLINE real4 former_wall_spring(Former f, int old, int wall) {
-  const int4 head = f.heads[old / GROUP];
-  if ((head.z >> wall & 1) == 0) return (real4)(0);
-  return spring_in(f.springs, head.x + popcount(head.z & ((1 << wall) - 1)), old % GROUP);
-}
 
 // Bits of the planes that a particle may touch while the list lasts, and one for the faces of the domain.
 INLINE int walls_near(const global DenseBox* box, const global DensePlane* planes, phase4 p, int3 cell) {
@@ -99,10 +60,15 @@ INLINE void carry_lane(Former f, Latter l, int4 head, int lane, int self, int ro
   const int old = f.members[self];
   int k = head.x;
   for (int walls = head.z & ~(1 << FACE_BIT); walls != 0; walls &= walls - 1)
-    put_spring(l, k++, lane, former_wall_spring(f, old, lowest_bit((uint)walls)));
+    put_spring(l.springs, l.marks + k++, lane, former_spring(f, old, WALL_PARTNER | (uint)lowest_bit((uint)walls), 1));
   const int* partners = found->partners + row * MOST_PARTNERS;
   for (int near = 0; near < found->near_count[row]; ++near)
-    put_spring(l, k++, lane, former_spring(f, old, f.members[partners[near]]));
+    put_spring(l.springs, l.marks + k++, lane, spring_between(f, old, f.members[partners[near]]));
+}
+
+// The first `rows` slots of a group have rows for springs.
+INLINE void mark_slots(global int* marks, int4 head, int rows, int first_row) {
+  for (int k = 0; k < head.y; ++k) marks[head.x + k] = k < rows ? mark_of_row(first_row + k) : 0;
 }
 
 typedef struct {
@@ -113,17 +79,20 @@ typedef struct {
   const global int* members;
 } Site;
 
-// Particles order[0 … GROUP − 1] of the window that begins at `first`.
-INLINE int4 head_of(Site s, int first, const int* order, const Found* found, global int* totals) {
-  int near = 0, longest = 0;
+// Particles order[0 … GROUP − 1] of the window that begins at `first`. near: most near partners of one of them.
+INLINE int4 head_of(Site s, int first, const int* order, const Found* found, global int* totals, int* near) {
+  int planes = 0, longest = 0;
+  *near = 0;
   for (int lane = 0; lane < GROUP; ++lane) {
     const int self = first + order[lane], old = s.members[self];
-    if (self < s.box->counts.x) near |= walls_near(s.box, s.planes, phase4_at(s.records, old), cells_in(s.cells[old]));
+    if (self < s.box->counts.x)
+      planes |= walls_near(s.box, s.planes, phase4_at(s.records, old), cells_in(s.cells[old]));
+    *near = max(*near, found->near_count[order[lane]]);
     longest = max(longest, found->near_count[order[lane]] + found->far_count[order[lane]]);
   }
-  const int walls = HISTORY ? popcount((uint)(near & ~(1 << FACE_BIT))) : 0;
+  const int walls = HISTORY ? popcount((uint)(planes & ~(1 << FACE_BIT))) : 0;
   const int slots = walls + longest;
-  return (int4)(slots > 0 ? atomic_add(totals, slots) : 0, slots, near, walls);
+  return (int4)(slots > 0 ? atomic_add(totals + SLOTS_WANTED, slots) : 0, slots, planes, walls);
 }
 
 INLINE void seek_for_window(const global DenseBox* box, const global uint* coarse, int padded, int first,
@@ -138,19 +107,19 @@ INLINE void seek_for_window(const global DenseBox* box, const global uint* coars
   }
 }
 
-// One window of WINDOW particles in order of zones. totals: slots asked for; whether some row was too short. Where in
-// memory a group's slots lie is decided by who comes first, and decides nothing else. Partners are named by their
-// place in the order of zones; dense_rename.
+// One window of WINDOW particles in order of zones. totals: slots asked for; whether some row was too short; rows of
+// springs asked for. Where in memory a group's slots lie is decided by who comes first, and decides nothing else.
+// Partners are named by their place in the order of zones; dense_rename.
 kernel void dense_list(const global DenseBox* box, const global DensePlane* planes, const global real4* records,
                        const global int* cells, const global uint* coarse, const global int* zones_of,
-                       const global int* zone_starts, const global int* members, const global int4* old_heads,
-                       const global uint* old_list, const global real* old_springs, const global int* old_strained,
-                       global int4* heads, global uint* list, global real* springs, global int* strained,
-                       global int* order, global int* places, global int* totals, const int padded, const int room) {
+                       const global int* zone_starts, const global int* members, const global int* starts,
+                       const global uint* partners, const global real* packed, global int4* heads, global uint* list,
+                       global real* springs, global int* marks, global int* order, global int* places,
+                       global int* totals, const int padded, const int room, const int row_room) {
   const int first = get_global_id(0) * WINDOW, count = clamp(box->counts.x - first, 0, WINDOW);
   Found found;
   seek_for_window(box, coarse, padded, first, zone_starts, zones_of, &found);
-  if (found.crowded) totals[1] = 1;
+  if (found.crowded) totals[CROWDED] = 1;
   int rows[WINDOW];
   order_window(&found, count, rows);
   for (int i = 0; i < WINDOW; ++i) {
@@ -158,14 +127,15 @@ kernel void dense_list(const global DenseBox* box, const global DensePlane* plan
     places[first + rows[i]] = first + i;
   }
   const Site site = {box, planes, records, cells, members};
-  const Former former = {old_heads, old_list, old_springs, old_strained, members};
-  const Latter latter = {heads, list, springs, strained};
+  const Former former = {starts, partners, packed, members};
+  const Latter latter = {heads, list, springs, marks};
   for (int g = 0; g < WINDOW; g += GROUP) {
-    const int4 head = head_of(site, first, rows + g, &found, totals);
+    int near;
+    const int4 head = head_of(site, first, rows + g, &found, totals, &near);
     heads[(first + g) / GROUP] = head;
-    if (head.x + head.y > room) continue;
-    if (HISTORY)
-      for (int k = head.x; k < head.x + head.y; ++k) clear_springs(springs, strained, k);
+    const int wanted = head.w + near, first_row = HISTORY && wanted > 0 ? atomic_add(totals + ROWS_WANTED, wanted) : 0;
+    if (head.x + head.y > room || first_row + (HISTORY ? wanted : 0) > row_room) continue;
+    if (HISTORY) mark_slots(marks, head, wanted, first_row);
     for (int lane = 0; lane < GROUP; ++lane) {
       const int row = rows[g + lane];
       write_lane(latter, head, lane, first + row, row, &found);

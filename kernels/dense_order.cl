@@ -30,6 +30,11 @@ INLINE int dense_zone(const global DenseBox* box, uint x, uint y, uint z) {
   return ((int)mul_hi(z, (uint)n.z) * n.y + (int)mul_hi(y, (uint)n.y)) * n.x + (int)mul_hi(x, (uint)n.x);
 }
 
+kernel void dense_zone_clear(global int* zone_counts, const int zones) {
+  const int i = get_global_id(0);
+  if (i < zones) zone_counts[i] = 0;
+}
+
 kernel void dense_zone_count(const global DenseBox* box, const global real4* records, const global phase* built_at,
                              global int* cells, global int* zone_counts, global int* zone_of_particle) {
   const int i = get_global_id(0);
@@ -81,17 +86,32 @@ kernel void dense_coarse(const global DenseBox* box, const global int* members, 
 
 // order: which of the order of zones stands at a place; members: where that one stood before.
 kernel void dense_permute(const global int* order, const global int* members, const global real4* records,
-                          const global real* kept, const global int* ids, const global int* cells,
-                          global real4* new_records, global real* new_kept, global int* new_ids, global int* new_cells,
-                          global phase* built_at) {
+                          global real4* new_records) {
   const int i = get_global_id(0), old = members[order[i]];
   for (int q = 0; q < QUARTERS; ++q) new_records[i * QUARTERS + q] = records[old * QUARTERS + q];
+}
+
+kernel void dense_permute_rest(const global int* order, const global int* members, const global real* kept,
+                               const global int* ids, const global int* cells, global real* new_kept,
+                               global int* new_ids, global int* new_cells) {
+  const int i = get_global_id(0), old = members[order[i]];
   const size_t from = (size_t)(old / GROUP) * (KEPT * GROUP) + old % GROUP;
   const size_t to = (size_t)(i / GROUP) * (KEPT * GROUP) + i % GROUP;
   for (int k = 0; k < KEPT; ++k) new_kept[to + k * GROUP] = kept[from + k * GROUP];
   new_ids[i] = ids[old];
   new_cells[i] = cells[old];
-  const phase4 p = phase4_at(records, old);
+}
+
+// What has been permuted into room that is wanted again goes where it belongs.
+kernel void dense_settle(const global real4* records, const global real* new_kept, const global int* new_ids,
+                         const global int* new_cells, global real* kept, global int* ids, global int* cells,
+                         global phase* built_at) {
+  const int i = get_global_id(0);
+  const size_t at = (size_t)(i / GROUP) * (KEPT * GROUP) + i % GROUP;
+  for (int k = 0; k < KEPT; ++k) kept[at + k * GROUP] = new_kept[at + k * GROUP];
+  ids[i] = new_ids[i];
+  cells[i] = new_cells[i];
+  const phase4 p = phase4_at(records, i);
   global phase* then = built_at + (size_t)(i / GROUP) * (3 * GROUP) + i % GROUP;
   then[0] = p.x;
   then[GROUP] = p.y;
@@ -99,9 +119,8 @@ kernel void dense_permute(const global int* order, const global int* members, co
 }
 
 // From the order of zones, in which the list was found, to where particles are now.
-kernel void dense_rename(const global int4* heads, const global int* places, global uint* list, const int room) {
+kernel void dense_rename(const global int4* heads, const global int* places, global uint* list) {
   const int4 head = heads[get_global_id(0)];
-  if (head.x + head.y > room) return;
   global uint* row = list + (size_t)head.x * GROUP;
   for (int k = 0; k < head.y * GROUP; ++k) row[k] = (uint)places[row[k]] * UNITS_A_RECORD;
 }

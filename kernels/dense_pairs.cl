@@ -12,10 +12,11 @@ typedef struct {
   const global int* cells;       // of then, 10 bits an axis
   const global int4* heads;      // of a group: first slot, slots, walls near (bits), slots of walls
   const global uint* list;       // of particles, times UNITS_A_RECORD; the body itself where it has no partner
-  const global real* springs;    // 3 rows a slot
+  const global real* springs;    // dense_springs.cl
   global real* new_springs;
-  const global int* strained;    // of a slot: whether a spring in it may be other than zero
-  global int* new_strained;
+  const global int* marks;
+  global int* new_marks;
+  global int* taken;             // rows of springs, and how many there are
   bool keeps;                    // whether springs are to be written
 } Dense;
 
@@ -23,10 +24,10 @@ typedef struct {
   const global DenseBox *box, const global PairLaw *laws, const global DensePlane *planes,               \
       const global real4 *records, global real *kept, const global phase *built_at,                      \
       const global int *cells, const global int4 *heads, const global uint *list, const global real *springs, \
-      global real *new_springs, const global int *strained, global int *new_strained
+      global real *new_springs, const global int *marks, global int *new_marks
 #define DENSE_THAT(keeps)                                                                               \
-  {box, laws, planes, records, kept, built_at, cells, heads, list, springs, new_springs, strained, new_strained, \
-   keeps}
+  {box, laws, planes, records, kept, built_at, cells, heads, list, springs, new_springs, marks, new_marks, \
+   signals + ROWS_TAKEN, keeps}
 
 // LANES particles, and where they are.
 typedef struct {
@@ -62,38 +63,46 @@ INLINE Bodies load_bodies(Dense d, int item) {
   return b;
 }
 
-INLINE Vectors load_springs(const global real* springs, int slot, int lane) {
-  const global real* row = springs + (size_t)slot * (3 * GROUP) + lane;
-  return vectors(load_reals(row), load_reals(row + GROUP), load_reals(row + 2 * GROUP));
-}
-
-INLINE void store_springs(global real* springs, int slot, int lane, Vectors v) {
-  global real* row = springs + (size_t)slot * (3 * GROUP) + lane;
-  store_reals(row, v.x);
-  store_reals(row + GROUP, v.y);
-  store_reals(row + 2 * GROUP, v.z);
+// Rounded alike for both bodies of a pair, so that the spring of one is the other's, turned around.
+INLINE Vectors sweeps_of(Vectors a, reals arm, Vectors b, reals other_arm) {
+  if (!VARIED) return scaled(plus_scaled(a, b, (reals)(1)), arm);
+  return plus_scaled(scaled(a, arm), scaled(b, other_arm), (reals)(1));
 }
 
 // The springs of a slot in which somebody touches, before and after.
-INLINE Vectors springs_before(Dense d, int slot, int lane) {
-  if (!HISTORY || !may_be_strained(d.strained, slot)) return vectors(0, 0, 0);
-  return load_springs(d.springs, slot, lane);
+INLINE Vectors springs_before(Dense d, int mark, int lane) {
+  if (!HISTORY || !is_strained(mark)) return vectors(0, 0, 0);
+  const global real* row = d.springs + row_of(mark) + lane;
+  return vectors(load_reals(row), load_reals(row + GROUP), load_reals(row + 2 * GROUP));
 }
 
-INLINE void keep_springs(Dense d, int slot, int lane, Vectors springs) {
-  if (!HISTORY || !d.keeps) return;
-  store_springs(d.new_springs, slot, lane, springs);
-  note_strain(d.new_strained, slot, 1);
+INLINE void keep_springs(Dense d, int slot, int mark, int lane, Vectors springs) {
+  if (!HISTORY || !d.keeps || !has_row(mark)) return;
+  global real* row = d.new_springs + row_of(mark) + lane;
+  store_reals(row, springs.x);
+  store_reals(row + GROUP, springs.y);
+  store_reals(row + 2 * GROUP, springs.z);
+  d.new_marks[slot] = mark | 1;
 }
 
-INLINE void release_springs(Dense d, int slot, int lane) {
-  if (!HISTORY || !d.keeps || !may_be_strained(d.strained, slot)) return;
-  store_springs(d.new_springs, slot, lane, vectors(0, 0, 0));
-  note_strain(d.new_strained, slot, 0);
+INLINE void release_springs(Dense d, int slot, int mark) {
+  if (HISTORY && d.keeps && is_strained(mark)) d.new_marks[slot] = mark & ~1;
 }
 
-// Sums over the partners in one slot. Tells whether one overlaps too much.
-INLINE bool meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, real duration) {
+#define OVERLAPS_TOO_MUCH 1
+#define ROWS_ARE_SHORT 2
+
+// Rows are given before anybody touches: no two bodies come closer by `approach` in a step, dense_step.cl. Where none
+// is left, the next list has more.
+INLINE int give_row(Dense d, int slot, int* mark) {
+  const int row = atomic_inc(d.taken);
+  if (row >= d.taken[1]) return ROWS_ARE_SHORT;
+  *mark = d.new_marks[slot] = mark_of_row(row);
+  return 0;
+}
+
+// Sums over the partners in one slot. Tells what must be heard of.
+INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, real duration) {
   const global uint* entry = d.list + (size_t)slot * GROUP + b.lane;
   const Quarter at = fetch(d.records, entry, 0);
   const phases x = b.x - phases_of(at.x), y = b.y - phases_of(at.y), z = b.z - phases_of(at.z);
@@ -102,11 +111,20 @@ INLINE bool meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, rea
   const phases sum_phase = b.radius_phase + phases_of(at.w);
   const lengths sum = VARIED ? length_in(sum_phase, d.box->quantum.w) : (lengths)(d.box->alike.x);
   const reals sigma = rounded(sum);
+  const flags other = different(load_entries(entry), b.index * UNITS_A_RECORD);
+  int mark = HISTORY ? d.marks[slot] : 0;
   Meeting m;
-  m.touching = (square < sigma * sigma * d.box->limits.z) & different(load_entries(entry), b.index * UNITS_A_RECORD);
-  if (!any_of(m.touching)) {
-    release_springs(d, slot, b.lane);
-    return false;
+  m.touching = (square < sigma * sigma * d.box->limits.z) & other;
+  const bool looks_ahead = HISTORY && d.keeps && !has_row(mark);
+  const reals wide = sigma + (looks_ahead ? (real)d.box->near.w : (real)0);
+  if (!any_of(looks_ahead ? (square < wide * wide) & other : m.touching)) {
+    release_springs(d, slot, mark);
+    return 0;
+  }
+  int heard = 0;
+  if (looks_ahead) {
+    heard = give_row(d, slot, &mark);
+    if (!any_of(m.touching)) return heard;
   }
   const Quarter motion = fetch(d.records, entry, 1);
   const reals gap = square_gap(x, y, z, d.box->quantum, sum);
@@ -122,20 +140,20 @@ INLINE bool meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, rea
   const reals radius = VARIED ? to_reals(phases_of(at.w)) * d.box->metre.w : (reals)(d.box->body.x);
   m.sweep = b.spin;
   if (ROTATION)
-    m.sweep = plus_scaled(scaled(b.spin, m.arm), xyz_of(fetch(d.records, entry, 2)),
-                          arm_of(radius, m.overlap, law.history));
-  Vectors spring = springs_before(d, slot, b.lane);
+    m.sweep = sweeps_of(b.spin, m.arm, xyz_of(fetch(d.records, entry, 2)), arm_of(radius, m.overlap, law.history));
+  Vectors spring = springs_before(d, mark, b.lane);
   push(total, m, law, &spring, duration);
-  keep_springs(d, slot, b.lane, spring);
-  return any_of(m.overlap > d.box->limits.x * (radius < b.radius ? radius : b.radius));
+  keep_springs(d, slot, mark, b.lane, spring);
+  const bool too_deep = any_of(m.overlap > d.box->limits.x * (radius < b.radius ? radius : b.radius));
+  return heard | (too_deep ? OVERLAPS_TOO_MUCH : 0);
 }
 
-INLINE bool meet_pairs(Dense d, Push* total, Bodies b, real duration) {
+INLINE int meet_pairs(Dense d, Push* total, Bodies b, real duration) {
   const int own = d.box->counts.w;
   PairLaw law = d.laws[own * d.box->counts.z + own];
   law.history = HISTORY_VARIANT;
   const int4 head = d.heads[b.group];
-  bool too_deep = false;
-  for (int k = head.w; k < head.y; ++k) too_deep |= meet_slot(d, total, b, head.x + k, law, duration);
-  return too_deep;
+  int heard = 0;
+  for (int k = head.w; k < head.y; ++k) heard |= meet_slot(d, total, b, head.x + k, law, duration);
+  return heard;
 }

@@ -25,9 +25,10 @@ INLINE bool halts(global int* signals, int step, int item) {
 INLINE Push sum_up(Dense d, Bodies b, int step, global int* signals) {
   const real duration = step > 0 ? d.box->time.x : 0;
   Push total = {no_sum(), no_sum(), d.box->body_units.x, d.box->body_units.y};
-  bool too_deep = meet_pairs(d, &total, b, duration);
-  if (PLANES) too_deep |= meet_walls(d, &total, b, duration);
-  if (too_deep) atomic_min(signals_after(signals, step) + OVERLAPPED_AT, step);
+  int heard = meet_pairs(d, &total, b, duration);
+  if (PLANES) heard |= meet_walls(d, &total, b, duration);
+  if (heard & OVERLAPS_TOO_MUCH) atomic_min(signals_after(signals, step) + OVERLAPPED_AT, step);
+  if (heard & ROWS_ARE_SHORT) atomic_min(signals_after(signals, step) + STALE_AT, step + 1);
   return total;
 }
 
@@ -60,7 +61,8 @@ INLINE void watch(Dense d, Bodies b, int step, global int* signals) {
   const real4 m = d.box->metre;
   const Vectors moved = vectors(to_reals(b.x - load_phases(then)) * m.x, to_reals(b.y - load_phases(then + GROUP)) * m.y,
                                 to_reals(b.z - load_phases(then + 2 * GROUP)) * m.z);
-  const bool stale = any_of(inner(moved, moved) > d.box->limits.y);
+  bool stale = any_of(inner(moved, moved) > d.box->limits.y);
+  if (HISTORY) stale |= any_of(inner(b.velocity, b.velocity) > d.box->limits.w);
   if (stale) atomic_min(signals_after(signals, step) + STALE_AT, step + 1);
   if (escapes(d, b, stale)) atomic_min(signals_after(signals, step) + ESCAPED_AT, step + 1);
 }

@@ -5,8 +5,9 @@ typedef struct {
   lengths x, y, z;
 } Places;
 
+// From the cell it is in now: rounding must not tell where it was when the list was made.
 INLINE lengths place_along(phases now, phases then, indices cells, int shift, double lower, double cell, double unit) {
-  return lower + exact_indices((cells >> shift) & 1023) * cell + (exact_phases(then) + exact_moves(now - then)) * unit;
+  return lower + (exact_indices((cells >> shift) & 1023) + cells_entered(now, then)) * cell + exact_phases(now) * unit;
 }
 
 INLINE Places places_of(Dense d, Bodies b) {
@@ -20,16 +21,17 @@ INLINE Places places_of(Dense d, Bodies b) {
   return p;
 }
 
-INLINE bool meet_plane(Dense d, Push* total, Bodies b, Places p, const global DensePlane* plane, int slot,
-                       real duration) {
+INLINE int meet_plane(Dense d, Push* total, Bodies b, Places p, const global DensePlane* plane, int slot,
+                      real duration) {
   const double4 n = plane->normal;
   const lengths radius = VARIED ? length_in(b.radius_phase, d.box->quantum.w) : (lengths)(d.box->alike.y);
   Meeting m;
   m.overlap = rounded(radius - (p.x * n.x + p.y * n.y + p.z * n.z - n.w));
   m.touching = (m.overlap > 0) & b.moves;
+  const int mark = HISTORY ? d.marks[slot] : 0;
   if (!any_of(m.touching)) {
-    release_springs(d, slot, b.lane);
-    return false;
+    release_springs(d, slot, mark);
+    return 0;
   }
   const PairLaw law = d.laws[d.box->counts.w * d.box->counts.z + plane->wall.x];
   m.overlap = m.touching ? m.overlap : (reals)(0);
@@ -38,21 +40,21 @@ INLINE bool meet_plane(Dense d, Push* total, Bodies b, Places p, const global De
   m.root_mass = roots_of(1 / (m.touching ? b.inverse_mass : (reals)(1)));
   m.arm = arm_of(b.radius, m.overlap, law.history);
   m.sweep = scaled(b.spin, m.arm);
-  Vectors spring = springs_before(d, slot, b.lane);
+  Vectors spring = springs_before(d, mark, b.lane);
   push(total, m, law, &spring, duration);
-  keep_springs(d, slot, b.lane, spring);
-  return any_of(m.overlap > d.box->limits.x * b.radius);
+  keep_springs(d, slot, mark, b.lane, spring);
+  return any_of(m.overlap > d.box->limits.x * b.radius) ? OVERLAPS_TOO_MUCH : 0;
 }
 
-INLINE bool meet_walls(Dense d, Push* total, Bodies b, real duration) {
+INLINE int meet_walls(Dense d, Push* total, Bodies b, real duration) {
   const int4 head = d.heads[b.group];
-  bool too_deep = false;
-  if ((head.z & ~(1 << FACE_BIT)) == 0) return false;
+  int heard = 0;
+  if ((head.z & ~(1 << FACE_BIT)) == 0) return 0;
   const Places p = places_of(d, b);
   int slot = head.x;
   for (int k = 0; k < d.box->counts.y; ++k)
-    if (head.z >> k & 1) too_deep |= meet_plane(d, total, b, p, d.planes + k, slot++, duration);
-  return too_deep;
+    if (head.z >> k & 1) heard |= meet_plane(d, total, b, p, d.planes + k, slot++, duration);
+  return heard;
 }
 
 // Whether one has left the domain. No face was near a group without the bit, so there only one that has moved too far

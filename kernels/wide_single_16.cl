@@ -122,7 +122,12 @@ INLINE lengths length_in(phases p, double unit) { return convert_double16(p) * u
 INLINE reals rounded(lengths l) { return convert_float16(l); }
 INLINE lengths exact_phases(phases p) { return convert_double16(as_uint16(p)); }
 INLINE lengths exact_indices(indices i) { return convert_double16(i); }
-INLINE lengths exact_moves(phases p) { return convert_double16(p); }
+INLINE lengths cells_entered(phases now, phases then) {
+  const phases moved = now - then;
+  const phases next = (moved >= 0) & (as_uint16(now) < as_uint16(then));
+  const phases last = (moved < 0) & (as_uint16(now) > as_uint16(then));
+  return convert_double16(last - next);  // yes is −1
+}
 
 // Where the numbers of the k-th kind that a particle keeps to itself lie: what is left of its position below a
 // unit, and what rounding left out of its velocity.
@@ -144,14 +149,6 @@ INLINE phases kick_and_move(phases p, reals* velocity, global real* part, global
 }
 
 INLINE flags flags_of(long16 f) { return convert_int16(f); }
-
-// One mark a slot, for all of its springs.
-INLINE bool may_be_strained(const global int* strained, int slot) { return strained[slot] != 0; }
-INLINE void note_strain(global int* strained, int slot, int yes) { strained[slot] = yes; }
-INLINE void clear_springs(global real* springs, global int* strained, int slot) {
-  for (int k = 0; k < 3; ++k) store_reals(springs + ((size_t)slot * 3 + k) * GROUP, 0);
-  strained[slot] = 0;
-}
 
 typedef long16 wholes;
 INLINE wholes to_wholes(reals x) { return convert_long16(x); }

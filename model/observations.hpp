@@ -60,6 +60,8 @@ struct Counters {
   std::int64_t list_rebuilds = 0;
   std::int64_t listed_pairs = 0;
   double step_loop_wall_s = 0.0;
+  double skin = 0.0;              ///< m, of the last list; 0 where it isn't told
+  std::int64_t device_bytes = 0;  ///< in buffers of a device, all added up; 0 where they aren't counted
 };
 
 /// Where a result came from.

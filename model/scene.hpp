@@ -46,7 +46,8 @@ struct RunSettings {
   Integrator integrator = Integrator::velocity_verlet;
   SumOrder order = SumOrder::fast;
   NeighbourSearch neighbours = NeighbourSearch::automatic;
-  double skin = -1.0;                ///< m; negative leaves it to the engine
+  double skin = -1.0;                            ///< m; negative leaves it to the engine
+  static constexpr double searched_skin = -2.0;  ///< left to the engine, which is to look for the best
   double overlap_limit = 0.5;        ///< fraction of the smaller radius; a deeper contact ends the run
   std::vector<double> sample_times;  ///< s, increasing; the first is 0 and the last is `end`
 };

@@ -46,12 +46,14 @@ class DenseImager {
     DenseImage image;
     image.particles = scene_.particles.size();
     image.padded = (image.particles + granularity - 1) / granularity * granularity;
-    image.box = bytes_of(std::vector{box()});
+    image.box = box_bytes();
     image.planes = planes();
     image.laws = laws();
     add_particles(image);
     return image;
   }
+
+  Bytes box_bytes() const { return bytes_of(std::vector{box()}); }
 
  private:
   double radius_unit() const { return std::ldexp(grid_.largest_radius, 3 - bits); }
@@ -70,7 +72,7 @@ class DenseImager {
     b.drift = four_of<P>(quantum().cwiseInverse() * step);
     b.gravity = four_of<P>(std::get<ConstantGravity>(scene_.gravity).acceleration);
     b.time = four_of<P>({step, step / 2, 0.0});
-    b.limits = four_of<P>({scene_.run.overlap_limit, 0.25 * skin * skin, 1.0 + 1e-5});
+    b.limits = four_of<P>({scene_.run.overlap_limit, 0.25 * skin * skin, 1.0 + 1e-5}, fastest_square());
     b.body = four_of<P>({radius, 1.0 / mass, 1.0 / inertia_of(p, scene_)}, std::sqrt(mass / 2));
     b.body_units = four_of<P>({sum_unit(), sum_unit() * grid_.largest_radius, 0.0});
     set_search(b, 2 * radius);
@@ -108,18 +110,27 @@ class DenseImager {
     return std::exp2(std::ceil(std::log2(strongest)) + 10.0 - 62.0);
   }
 
+  /// All have rows for springs from the start then: kernels/dense_springs.cl.
+  bool all_are_near() const { return grid_.skin <= 0.04 * grid_.largest_radius; }
+  /// By how much two bodies may come closer in a step.
+  double approach() const { return 0.25 * grid_.skin; }
+  double fastest_square() const {
+    const double fastest = 0.45 * approach() / scene_.run.step;
+    return all_are_near() ? HUGE_VAL : fastest * fastest;
+  }
+
   /// How far a list looks, with room for the rounding of coarse places.
   void set_search(DenseBox<P>& b, double diameter) const {
     const double unit = std::ldexp(grid_.extent.maxCoeff(), -32);
     const double margin = 8.0 * unit + 1e-6 * (2 * grid_.largest_radius + grid_.skin);
     const double reach = grid_.skin + margin;
     // Springs are carried over for near partners alone: whoever touches is one, at any skin.
-    const double near = std::min(0.02 * diameter, grid_.skin) + margin;
+    const double near = (all_are_near() ? grid_.skin : 0.02 * diameter) + margin;
     for (int axis = 0; axis < 3; ++axis)
       b.coarse_metre.s[axis] = static_cast<cl_float>(std::ldexp(grid_.extent[axis], -32));
     b.coarse_metre.s[3] = static_cast<cl_float>(reach);
     b.near = {{static_cast<cl_float>(near), static_cast<cl_float>(diameter + reach),
-               static_cast<cl_float>(diameter + near), 0.0f}};
+               static_cast<cl_float>(diameter + near), static_cast<cl_float>(approach())}};
   }
 
   Bytes planes() const {
@@ -200,8 +211,13 @@ DenseBody decoded_as(const DenseRecords& read, std::size_t i, const DenseOptions
     const double part = numbers > 0 ? value_at<typename P::Real>(
                                           read.kept, i / group * numbers * group + k * group + i % group)
                                     : 0.0;
-    const long double units = static_cast<long double>(static_cast<Bare>(then)) + moved + part;
-    long double at = (cells >> (10 * k) & 1023) + std::ldexp(units, -DenseImager<P>::bits);
+    cl_int cell = cells >> (10 * k) & 1023;
+    if (moved >= 0 && static_cast<Bare>(now) < static_cast<Bare>(then)) ++cell;
+    if (moved < 0 && static_cast<Bare>(now) > static_cast<Bare>(then)) --cell;
+    if (grid.periodic[k]) cell = (cell + grid.cells[k]) % grid.cells[k];
+    // Of the cell it is in now, so that rounding does not tell where it was when the list was made.
+    const long double units = static_cast<long double>(static_cast<Bare>(now)) + part;
+    long double at = cell + std::ldexp(units, -DenseImager<P>::bits);
     if (grid.periodic[k] && at < 0) at += grid.cells[k];
     if (grid.periodic[k] && at >= grid.cells[k]) at -= grid.cells[k];
     const double x = static_cast<double>(grid.lower[axis] + at * grid.cell[axis]);
@@ -242,6 +258,12 @@ DenseImage make_dense_image(const Scene& scene, const DenseOptions& options, con
   if (options.precision == Precision::single_precision)
     return DenseImager<Single>(scene, options, grid).make(granularity);
   return DenseImager<Double>(scene, options, grid).make(granularity);
+}
+
+Bytes make_dense_box(const Scene& scene, const DenseOptions& options, const DenseGrid& grid) {
+  if (options.precision == Precision::single_precision)
+    return DenseImager<Single>(scene, options, grid).box_bytes();
+  return DenseImager<Double>(scene, options, grid).box_bytes();
 }
 
 DenseBody decoded(const DenseRecords& read, std::size_t i, const DenseOptions& options,

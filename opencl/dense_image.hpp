@@ -49,6 +49,9 @@ struct DenseImage {
 DenseImage make_dense_image(const Scene& scene, const DenseOptions& options, const DenseGrid& grid,
                             std::size_t granularity);
 
+/// Its box alone, for another grid.
+Bytes make_dense_box(const Scene& scene, const DenseOptions& options, const DenseGrid& grid);
+
 /// One particle as the device has it.
 struct DenseBody {
   Vec3 position, velocity, spin;

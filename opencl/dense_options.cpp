@@ -63,8 +63,7 @@ Support box_supported(const Scene& scene, double skin) {
 
 }  // namespace
 
-Support dense_support(const Scene& scene, const Request& request, Precision precision, double skin) {
-  if (precision != Precision::single_precision) return Support::no("it is built for single precision alone");
+Support dense_support(const Scene& scene, const Request& request, double skin) {
   if (scene.particles.empty()) return Support::no("there are no particles");
   if (const Support s = dynamics_supported(scene, request); !s) return s;
   const auto material = static_cast<std::size_t>(scene.particles.front().material);
@@ -125,11 +124,13 @@ std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
           "dense_box.cl",
           o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl",
           "dense_contact.cl",
+          "dense_springs.cl",
           "dense_pairs.cl",
           "dense_walls.cl",
           "dense_step.cl",
           "dense_order.cl",
           "dense_seek.cl",
+          "dense_pack.cl",
           "dense_list.cl"};
 }
 

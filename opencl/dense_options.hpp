@@ -11,7 +11,7 @@ namespace grainproof::opencl {
 
 /// Whether the dense path can take a scene: one kind of linear contact between many spheres, planes, constant
 /// gravity. `no` says what it lacks. Pure: no device is asked.
-Support dense_support(const Scene& scene, const Request& request, Precision precision, double skin);
+Support dense_support(const Scene& scene, const Request& request, double skin);
 
 /// What a program of the dense path must be able to do for a scene, and nothing else.
 struct DenseOptions {
@@ -44,6 +44,11 @@ inline constexpr int window_size = 128;
 /// Vectors of four that a particle has: place, motion and, where bodies turn, spin.
 constexpr int quarters_of(const DenseOptions& options) {
   return options.rotation ? 3 : 2;
+}
+
+/// What the entries of a list count in: eight bytes, kernels/wide_*.cl.
+constexpr int units_a_record(const DenseOptions& options) {
+  return quarters_of(options) * (options.precision == Precision::double_precision ? 4 : 2);
 }
 
 /// Numbers that a particle keeps to itself, kernels/wide_*.cl.

@@ -25,11 +25,11 @@ std::uint64_t hashed(std::uint64_t hash, const void* data, std::size_t bytes) {
 
 }  // namespace
 
-const cl::Buffer& DenseRun::report(const cl::Buffer& springs, const cl::Buffer& strained, bool keeps) {
+const cl::Buffer& DenseRun::report(const cl::Buffer& springs, const cl::Buffer& marks, bool keeps) {
   const auto at = static_cast<std::size_t>(done_ & 1);
   workshop_->launch(*program_, "dense_report", items_, world_.box, world_.laws, world_.planes,
                     world_.records[at], world_.kept, world_.built_at, world_.cells, world_.heads, world_.list,
-                    world_.springs, springs, world_.strained, strained, world_.records[1 - at], signals_,
+                    world_.springs, springs, world_.marks, marks, world_.records[1 - at], signals_,
                     static_cast<cl_int>(done_), static_cast<cl_int>(keeps));
   return world_.records[1 - at];
 }
@@ -65,7 +65,7 @@ Frame DenseRun::frame() {
   Frame frame;
   frame.step = done_;
   frame.time = static_cast<double>(done_) * scene_.run.step;
-  for (const DenseBody& body : bodies(report(world_.springs, world_.strained, false))) {
+  for (const DenseBody& body : bodies(report(world_.springs, world_.marks, false))) {
     frame.position.push_back(body.position);
     frame.velocity.push_back(body.velocity);
     if (scene_.rotation) frame.angular_velocity.push_back(body.spin);
@@ -116,7 +116,7 @@ DenseLists DenseRun::read_lists() {
   l.ids.resize(image_.padded);
   workshop_->read(world_.heads, std::as_writable_bytes(std::span(l.heads)));
   if (!l.entries.empty()) workshop_->read(world_.list, std::as_writable_bytes(std::span(l.entries)));
-  for (cl_int& entry : l.entries) entry /= 2 * quarters_of(options_);  // UNITS_A_RECORD
+  for (cl_int& entry : l.entries) entry /= units_a_record(options_);
   workshop_->read(world_.ids, std::as_writable_bytes(std::span(l.ids)));
   return l;
 }
@@ -127,12 +127,12 @@ std::vector<ContactMemory> DenseRun::memories() {
   if (!options_.history || list_.slots() == 0) return {};
   const auto slots = static_cast<std::size_t>(list_.slots());
   const std::size_t real = options_.precision == Precision::double_precision ? 8 : 4;
-  std::vector<cl_int> strained(slots);
-  Bytes springs(3 * slots * group() * real);
-  const cl::Buffer on_device = workshop_->room(springs.size()), marks = workshop_->upload(bytes_of(strained));
-  report(on_device, marks, true);
+  std::vector<cl_int> marks(slots);
+  Bytes springs(3 * static_cast<std::size_t>(list_.row_room()) * group() * real);
+  const cl::Buffer on_device = workshop_->room(springs.size()), marked = workshop_->upload(bytes_of(marks));
+  report(on_device, marked, true);
   workshop_->read(on_device, springs);
-  workshop_->read(marks, std::as_writable_bytes(std::span(strained)));
+  workshop_->read(marked, std::as_writable_bytes(std::span(marks)));
   const DenseLists lists = read_lists();
   const NearWalls near = near_walls(scene_);
   std::vector<ContactMemory> found;
@@ -142,11 +142,12 @@ std::vector<ContactMemory> DenseRun::memories() {
       if (lists.heads[g].s[2] >> k & 1) walls.push_back(near.planes[k].index);
     for (std::size_t k = 0; k < static_cast<std::size_t>(lists.heads[g].s[1]); ++k) {
       const std::size_t slot = static_cast<std::size_t>(lists.heads[g].s[0]) + k;
-      if (strained[slot] == 0) continue;
+      if ((marks[slot] & 1) == 0) continue;
+      const std::size_t row = 3 * (static_cast<std::size_t>(marks[slot]) / 2 - 1);
       for (std::size_t lane = 0; lane < group(); ++lane) {
         Vec3 v;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          const std::size_t at = (3 * slot + axis) * group() + lane;
+          const std::size_t at = (row + axis) * group() + lane;
           v[static_cast<Eigen::Index>(axis)] =
               real == 8 ? value_at<cl_double>(springs, at) : value_at<cl_float>(springs, at);
         }

@@ -3,6 +3,7 @@
 #include "opencl/dense_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/errors.hpp"
 #include "opencl/bytes.hpp"
@@ -16,11 +17,14 @@ constexpr std::int64_t shortest_batch = 4;
 /// Groups a work-item, in work-groups of this many items.
 constexpr std::size_t items_a_group = 8;
 
-using Signals = std::array<std::array<cl_int, signal_count>, 2>;
-constexpr Signals no_signals{{{never, never, never, 0}, {never, never, never, 0}}};
+/// Of even and of odd boundaries; then how rows of springs are used, kernels/dense_springs.cl.
+struct Signals {
+  std::array<std::array<cl_int, signal_count>, 2> of{{{never, never, never, 0}, {never, never, never, 0}}};
+  cl_int rows_taken = 0, row_room = 0;
+};
 
 cl_int earliest(const Signals& signals, Signal signal) {
-  return std::min(signals[0][signal], signals[1][signal]);
+  return std::min(signals.of[0][signal], signals.of[1][signal]);
 }
 
 DenseWorld make_dense_world(Workshop& workshop, const DenseImage& image, const DenseOptions& options) {
@@ -29,7 +33,7 @@ DenseWorld make_dense_world(Workshop& workshop, const DenseImage& image, const D
   w.laws = workshop.upload(image.laws);
   w.planes = workshop.upload(image.planes);
   w.records = {workshop.upload(image.records), workshop.room(image.records.size())};
-  w.kept = workshop.upload(image.kept);
+  w.kept = image.kept.empty() ? workshop.room(512) : workshop.upload(image.kept);
   w.built_at = workshop.upload(image.built_at);
   w.cells = workshop.upload(image.cells);
   std::vector<cl_int> ids(image.padded);
@@ -37,13 +41,14 @@ DenseWorld make_dense_world(Workshop& workshop, const DenseImage& image, const D
   w.ids = workshop.upload(bytes_of(ids));
   const auto groups = image.padded / static_cast<std::size_t>(group_size(options.precision));
   w.heads = workshop.upload(Bytes(sizeof(cl_int4) * groups));
-  for (cl::Buffer* empty : {&w.list, &w.springs, &w.strained}) *empty = workshop.room(64);
+  for (cl::Buffer* empty : {&w.list, &w.springs, &w.marks}) *empty = workshop.room(64);
   return w;
 }
 
 }  // namespace
 
-DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Precision precision, double skin)
+DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Precision precision, double skin,
+                   bool searches)
     : workshop_(std::move(workshop)),
       scene_(scene),
       options_(dense_options(scene, precision)),
@@ -52,10 +57,10 @@ DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Preci
       program_(&workshop_->program(options_)),
       items_{image_.padded / static_cast<std::size_t>(group_size(precision)), items_a_group},
       world_(make_dense_world(*workshop_, image_, options_)),
-      list_(*workshop_, image_, options_, grid_, 64),
+      list_(*workshop_, world_, image_, options_, grid_, 64),
       signals_(workshop_->room(sizeof(Signals))) {
-  workshop_->write(signals_, std::as_bytes(std::span(no_signals)));
   image_.records = image_.kept = image_.built_at = {};
+  if (searches) search_.emplace(2.0 * grid_.largest_radius, skin);
 }
 
 void DenseRun::advance(std::int64_t steps) {
@@ -65,23 +70,28 @@ void DenseRun::advance(std::int64_t steps) {
   settled_ = false;
   ensure_started();
   done_ += steps;
-  while (enqueued_ < done_) {
-    const std::int64_t last = std::min(done_, enqueued_ + next_batch());
-    enqueue(enqueued_, last);
-    enqueued_ = last;
-    if (last < done_) catch_up();
-  }
+  enqueue_all();
   counters_.steps = done_;
 }
 
+void DenseRun::enqueue_all() {
+  while (enqueued_ < done_) {
+    if (trial_is_due()) try_another_skin();
+    const std::int64_t last = std::min(done_, enqueued_ + next_batch());
+    enqueue(enqueued_, last);
+    enqueued_ = last;
+    if (last < done_) caught_up();
+  }
+}
+
 void DenseRun::ensure_started() {
-  if (built_at_ < 0) build_list();
+  if (built_at_ < 0) build_list(0, 0);
 }
 
 void DenseRun::synchronise() {
   if (settled_) return;
   ensure_started();
-  catch_up();
+  while (!caught_up()) enqueue_all();
   settled_ = true;
   if (stepping_since_) {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - *stepping_since_;
@@ -90,9 +100,21 @@ void DenseRun::synchronise() {
   }
 }
 
-void DenseRun::build_list() {
-  const std::int64_t at = built_at_ < 0 ? 0 : built_at_ + lifetime_;
-  list_.build(world_, *program_, static_cast<int>(at & 1));
+Counters DenseRun::counters() const {
+  Counters counters = counters_;
+  counters.device_bytes = static_cast<std::int64_t>(size_of(world_) + list_.bytes() + sizeof(Signals));
+  return counters;
+}
+
+void DenseRun::reset_signals() {
+  Signals signals;
+  signals.rows_taken = static_cast<cl_int>(list_.rows());
+  signals.row_room = static_cast<cl_int>(list_.row_room());
+  workshop_->write(signals_, std::as_bytes(std::span(&signals, 1)));
+}
+
+void DenseRun::build_list(std::int64_t at, std::int64_t rows_taken) {
+  list_.build(world_, *program_, static_cast<int>(at & 1), rows_taken);
   while (list_.crowded()) {
     options_.most_partners *= 2;
     program_ = &workshop_->program(options_);
@@ -100,7 +122,33 @@ void DenseRun::build_list() {
   }
   ++counters_.list_rebuilds;
   counters_.listed_pairs = list_.slots() * group_size(options_.precision) / 2;
+  counters_.skin = grid_.skin;
   built_at_ = at;
+  reset_signals();
+}
+
+bool DenseRun::learn(std::int64_t age) {
+  const double entries = static_cast<double>(list_.slots() * group_size(options_.precision)) /
+                         static_cast<double>(image_.particles);
+  if (!search_ || !search_->learn(entries, age)) return false;
+  lifetime_ =
+      std::max<std::int64_t>(std::llround(static_cast<double>(lifetime_) * search_->skin() / grid_.skin), 1);
+  grid_ = DenseGrid(scene_, search_->skin());
+  workshop_->write(world_.box, make_dense_box(scene_, options_, grid_));
+  list_.use_grid(world_, grid_);
+  return true;
+}
+
+bool DenseRun::trial_is_due() const {
+  const std::int64_t age = enqueued_ - built_at_;
+  return search_ && age > 0 && SkinSearch::next_trial(age - 1) == age;
+}
+
+void DenseRun::try_another_skin() {
+  if (!caught_up() || !learn(enqueued_ - built_at_)) return;
+  Signals signals;
+  workshop_->read(signals_, std::as_writable_bytes(std::span(&signals, 1)));
+  build_list(enqueued_, signals.rows_taken);
 }
 
 void DenseRun::enqueue(std::int64_t first, std::int64_t last) {
@@ -108,33 +156,33 @@ void DenseRun::enqueue(std::int64_t first, std::int64_t last) {
     const auto at = static_cast<std::size_t>(n & 1);
     workshop_->launch(*program_, "dense_step", items_, world_.box, world_.laws, world_.planes,
                       world_.records[at], world_.kept, world_.built_at, world_.cells, world_.heads,
-                      world_.list, world_.springs, world_.springs, world_.strained, world_.strained,
+                      world_.list, world_.springs, world_.springs, world_.marks, world_.marks,
                       world_.records[1 - at], signals_, static_cast<cl_int>(n));
   }
 }
 
-void DenseRun::catch_up() {
-  while (true) {
-    Signals signals;
-    workshop_->read(signals_, std::as_writable_bytes(std::span(signals)));
-    const cl_int escaped = earliest(signals, escaped_at), overlapped = earliest(signals, overlapped_at);
-    if (std::min(escaped, overlapped) != never)
-      tell_what_went_wrong(std::min(escaped, overlapped), escaped < overlapped);
-    const std::int64_t stale = earliest(signals, stale_at);
-    if (stale == never) return;
-    lifetime_ = std::max<std::int64_t>(stale - built_at_, 1);
-    workshop_->write(signals_, std::as_bytes(std::span(no_signals)));
-    build_list();
-    enqueue(stale, enqueued_);
-  }
+bool DenseRun::caught_up() {
+  Signals signals;
+  workshop_->read(signals_, std::as_writable_bytes(std::span(&signals, 1)));
+  const cl_int escaped = earliest(signals, escaped_at), overlapped = earliest(signals, overlapped_at);
+  if (std::min(escaped, overlapped) != never)
+    tell_what_went_wrong(std::min(escaped, overlapped), escaped < overlapped);
+  const std::int64_t stale = earliest(signals, stale_at);
+  if (stale == never) return true;
+  lifetime_ = std::max<std::int64_t>(stale - built_at_, 1);
+  learn(lifetime_);
+  build_list(stale, signals.rows_taken);
+  enqueued_ = stale;
+  return enqueued_ == done_;
 }
 
 /// Up to where the list is expected to go stale, and a little beyond; a list that outlives that is trusted
-/// for as long again.
+/// for as long again. With a search, never beyond where it is to be asked.
 std::int64_t DenseRun::next_batch() const {
   const std::int64_t age = enqueued_ - built_at_;
   const std::int64_t expected = std::max(lifetime_, age) - age + std::max(lifetime_, age) / 8;
-  return std::clamp(age >= lifetime_ ? age : expected, shortest_batch, longest_batch);
+  const std::int64_t batch = std::clamp(age >= lifetime_ ? age : expected, shortest_batch, longest_batch);
+  return search_ ? std::min(batch, SkinSearch::next_trial(age) - age) : batch;
 }
 
 }  // namespace grainproof::opencl

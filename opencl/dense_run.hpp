@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "opencl/dense_list.hpp"
+#include "opencl/skin_search.hpp"
 
 namespace grainproof::opencl {
 
@@ -23,26 +24,35 @@ struct DenseLists {
 /// the list has gone stale, and the host goes on from there with a new one.
 class DenseRun : public Run {
  public:
-  DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Precision precision, double skin);
+  /// `searches`: the skin is but the first, for others to be tried.
+  DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Precision precision, double skin,
+           bool searches);
 
   void advance(std::int64_t steps) override;
   void synchronise() override;
   Frame frame() override;
   State state() override;
   std::uint64_t digest() override;
-  Counters counters() const override { return counters_; }
+  Counters counters() const override;
   Ledger ledger() override { return {}; }
 
  private:
-  void build_list();
+  /// Before step `at`. `rows_taken`: DenseList::build.
+  void build_list(std::int64_t at, std::int64_t rows_taken);
+  void reset_signals();
   void enqueue(std::int64_t first, std::int64_t last);
-  /// Until every step enqueued is taken.
-  void catch_up();
+  void enqueue_all();
+  /// Whether every step enqueued is taken; else there is a new list, and those after it are not enqueued.
+  bool caught_up();
+  /// Lets the search know what the list was like, and does as it says. Whether there is another skin.
+  bool learn(std::int64_t age);
+  bool trial_is_due() const;
+  void try_another_skin();
   std::int64_t next_batch() const;
   void ensure_started();
   /// What is seen at the current boundary goes to the spare records; with `keeps`, springs and marks to
   /// others of the same size.
-  const cl::Buffer& report(const cl::Buffer& springs, const cl::Buffer& strained, bool keeps);
+  const cl::Buffer& report(const cl::Buffer& springs, const cl::Buffer& marks, bool keeps);
   DenseRecords read_records(const cl::Buffer& records);
   /// In the order of the scene.
   std::vector<DenseBody> bodies(const cl::Buffer& records);
@@ -61,6 +71,7 @@ class DenseRun : public Run {
   DenseWorld world_;
   DenseList list_;
   cl::Buffer signals_;
+  std::optional<SkinSearch> search_;
   Counters counters_;
   std::int64_t done_ = 0;
   std::int64_t enqueued_ = 0;

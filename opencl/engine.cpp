@@ -7,6 +7,7 @@
 #include "model/errors.hpp"
 #include "opencl/dense_run.hpp"
 #include "opencl/limits.hpp"
+#include "opencl/skin_search.hpp"
 #include "opencl/small_run.hpp"
 #include "opencl/workshop.hpp"
 #include "opencl/zoned_run.hpp"
@@ -23,18 +24,18 @@ bool takes_small_path(Path path, const Scene& scene) {
 constexpr std::size_t fewest_dense = 512;
 
 /// Throws EngineFailed where the dense path is asked for and cannot be had.
-bool takes_dense_path(Path path, const Scene& scene, const Request& request, Precision precision,
-                      double skin) {
+bool takes_dense_path(Path path, const Scene& scene, const Request& request, double skin) {
   if (path != Path::dense && path != Path::automatic) return false;
   if (path == Path::automatic && scene.particles.size() < fewest_dense) return false;
-  const Support support = dense_support(scene, request, precision, skin);
+  const Support support = dense_support(scene, request, skin);
   if (path == Path::dense && !support)
     throw EngineFailed("the dense path cannot take it: " + support.because);
   return support.yes;
 }
 
 /// A tenth of the mean diameter: the usual compromise between long lists and frequent ones.
-double usual_skin(const Scene& scene) {
+double given_or_usual_skin(const Scene& scene) {
+  if (scene.run.skin >= 0.0) return scene.run.skin;
   double sum = 0.0;
   for (const Particle& p : scene.particles) sum += p.diameter;
   return scene.particles.empty() ? 0.0 : 0.1 * sum / static_cast<double>(scene.particles.size());
@@ -65,9 +66,10 @@ std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& requ
   const Support support = supports(scene, request);
   if (!support) throw EngineFailed(name() + " does not support this scene: " + support.because);
   const bool small = takes_small_path(options_.path, scene);
-  const double skin = options_.skin.value_or(scene.run.skin >= 0.0 ? scene.run.skin : usual_skin(scene));
-  if (!small && takes_dense_path(options_.path, scene, request, options_.precision, skin))
-    return std::make_unique<DenseRun>(workshop_, scene, options_.precision, skin);
+  const bool searched = !options_.skin && scene.run.skin == RunSettings::searched_skin;
+  const double skin = searched ? first_skin(scene) : options_.skin.value_or(given_or_usual_skin(scene));
+  if (!small && takes_dense_path(options_.path, scene, request, skin))
+    return std::make_unique<DenseRun>(workshop_, scene, options_.precision, skin, searched);
   BuildOptions build = build_options(scene, request, options_.precision, small);
   if (options_.stages == Stages::full) build = with_every_stage(build);
   if (small) return std::make_unique<SmallRun>(workshop_, scene, build);

@@ -16,6 +16,7 @@ Scan::Scan(Workshop& workshop, Program& program, std::size_t largest, std::size_
     blocks = blocks_of(blocks);
     const Bytes zeros(sizeof(cl_int) * blocks);
     levels_.push_back({workshop.upload(zeros), workshop.upload(zeros)});
+    bytes_ += 2 * zeros.size();
   } while (blocks > 1);
 }
 

@@ -15,6 +15,8 @@ class Scan {
   /// starts[i] = values[0] + … + values[i−1] for i < count. `values` and `starts` are different buffers.
   void exclusive(const cl::Buffer& values, const cl::Buffer& starts, std::size_t count);
 
+  std::size_t bytes() const { return bytes_; }
+
  private:
   struct Level {
     cl::Buffer sums;
@@ -28,6 +30,7 @@ class Scan {
   Program& program_;
   std::size_t work_group_;
   std::vector<Level> levels_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace grainproof::opencl

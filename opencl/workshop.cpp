@@ -48,6 +48,13 @@ cl::Buffer Workshop::room(std::size_t bytes) {
   return guarded(name_, "", [&] { return cl::Buffer(context_, CL_MEM_READ_WRITE, bytes); });
 }
 
+cl::Buffer Workshop::part(cl::Buffer& whole, std::size_t offset, std::size_t bytes) {
+  return guarded(name_, "", [&] {
+    const cl_buffer_region region{offset, bytes};
+    return whole.createSubBuffer(CL_MEM_READ_WRITE, CL_BUFFER_CREATE_TYPE_REGION, &region);
+  });
+}
+
 void Workshop::write(cl::Buffer& buffer, std::span<const std::byte> bytes) {
   guarded(name_, "", [&] { queue_.enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes.size(), bytes.data()); });
 }

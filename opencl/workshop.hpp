@@ -49,6 +49,8 @@ class Workshop {
 
   cl::Buffer upload(const Bytes& bytes);
   cl::Buffer room(std::size_t bytes);
+  /// A stretch of a buffer, as a buffer of its own; `offset` is a multiple of 512.
+  cl::Buffer part(cl::Buffer& whole, std::size_t offset, std::size_t bytes);
   void write(cl::Buffer& buffer, std::span<const std::byte> bytes);
   void read(const cl::Buffer& buffer, std::span<std::byte> into, std::size_t offset = 0);
   /// Returns at once; `into` is filled by the next read() or finish().

@@ -60,7 +60,8 @@ void Subject::start() {
   const double before = resident_bytes();
   run_ = dynamic_cast<SteppingEngine&>(*engine_).start(scene, request_);
   timed_advance(warm_up_steps);
-  bytes_per_particle_ = (resident_bytes() - before) / particles_;
+  const auto counted = static_cast<double>(run_->counters().device_bytes);
+  bytes_per_particle_ = (counted > 0.0 ? counted : resident_bytes() - before) / particles_;
   choose_steps();
 }
 

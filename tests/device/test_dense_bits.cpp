@@ -8,8 +8,8 @@
 namespace grainproof::opencl::testing {
 namespace {
 
-EngineOptions dense(double skin = 0.01) {
-  EngineOptions options = options_for(Precision::single_precision);
+EngineOptions dense(double skin = 0.01, Precision precision = Precision::single_precision) {
+  EngineOptions options = options_for(precision);
   options.path = Path::dense;
   options.skin = skin;
   return options;
@@ -36,93 +36,77 @@ Ended ended(const EngineOptions& options, const Scene& scene, int at_once = crow
   return {run->digest(), run->counters().list_rebuilds};
 }
 
-class DenseBits : public ::testing::TestWithParam<SumOrder> {};
+class DenseBits : public ::testing::TestWithParam<std::tuple<SumOrder, Precision>> {
+ protected:
+  Scene scene(double spread = 0.0) const { return bed(std::get<0>(GetParam()), spread); }
+  EngineOptions options(double skin = 0.01) const { return dense(skin, std::get<1>(GetParam())); }
+};
+
+std::string name_of_order(const ::testing::TestParamInfo<std::tuple<SumOrder, Precision>>& param) {
+  return std::string(std::get<0>(param.param) == SumOrder::fast ? "fast_" : "canonical_") +
+         std::string(name_of(std::get<1>(param.param)));
+}
 
 TEST_P(DenseBits, DoNotChangeFromRunToRun) {
-  const Scene scene = bed(GetParam(), 0.2);
-  EXPECT_EQ(ended(dense(), scene).digest, ended(dense(), scene).digest);
+  EXPECT_EQ(ended(options(), scene(0.2)).digest, ended(options(), scene(0.2)).digest);
 }
 
 TEST_P(DenseBits, DoNotDependOnHowStepsAreAskedFor) {
-  const Ended once = ended(dense(0.002), bed(GetParam()));
+  const Ended once = ended(options(0.002), scene());
   EXPECT_GT(once.rebuilds, 3);
-  EXPECT_EQ(once.digest, ended(dense(0.002), bed(GetParam()), 15).digest);
+  EXPECT_EQ(once.digest, ended(options(0.002), scene(), 15).digest);
 }
 
 TEST_P(DenseBits, DoNotDependOnLookingAtThem) {
-  OpenClEngine engine(dense());
-  const auto watched = engine.start(bed(GetParam()), {});
+  OpenClEngine engine(options());
+  const auto watched = engine.start(scene(), {});
   for (int done = 0; done < crowd_steps; done += 50) {
     watched->advance(50);
     watched->frame();
     watched->state();
   }
-  EXPECT_EQ(watched->digest(), ended(dense(), bed(GetParam())).digest);
+  EXPECT_EQ(watched->digest(), ended(options(), scene()).digest);
 }
 
-INSTANTIATE_TEST_SUITE_P(Orders, DenseBits, ::testing::Values(SumOrder::fast, SumOrder::canonical),
-                         [](const ::testing::TestParamInfo<SumOrder>& param) {
-                           return param.param == SumOrder::fast ? "fast" : "canonical";
-                         });
+INSTANTIATE_TEST_SUITE_P(Orders, DenseBits,
+                         ::testing::Combine(::testing::Values(SumOrder::fast, SumOrder::canonical),
+                                            ::testing::Values(Precision::single_precision,
+                                                              Precision::double_precision)),
+                         name_of_order);
 
 TEST(DenseBits, DoNotDependOnTheNumberOfThreads) {
-  const std::string arguments = "single dense turning_liggghts 60 100";
-  const Finished one = run_driver("POCL_MAX_PTHREAD_COUNT=1", arguments), all = run_driver("", arguments);
-  ASSERT_EQ(one.status, 0) << one.output;
-  EXPECT_NE(one.output.find("digest"), std::string::npos) << one.output;
-  EXPECT_EQ(one.output, all.output);
+  for (const char* precision : {"single", "double"}) {
+    const std::string arguments = precision + std::string(" dense turning_liggghts 60 100");
+    const Finished one = run_driver("POCL_MAX_PTHREAD_COUNT=1", arguments), all = run_driver("", arguments);
+    ASSERT_EQ(one.status, 0) << one.output;
+    EXPECT_NE(one.output.find("digest"), std::string::npos) << one.output;
+    EXPECT_EQ(one.output, all.output);
+  }
 }
 
 TEST(DenseBits, OfCanonicalOrderDoNotDependOnTheSkin) {
-  for (const double spread : {0.0, 0.2}) {
-    const Scene scene = bed(SumOrder::canonical, spread);
-    const Ended usual = ended(dense(0.01), scene), often = ended(dense(0.001), scene);
-    EXPECT_GT(often.rebuilds, 2 * usual.rebuilds);
-    EXPECT_EQ(often.digest, usual.digest);
-    EXPECT_EQ(ended(dense(0.025), scene).digest, usual.digest);
+  for (const Precision precision : {Precision::single_precision, Precision::double_precision})
+    for (const double spread : {0.0, 0.2}) {
+      const Scene scene = bed(SumOrder::canonical, spread);
+      const Ended usual = ended(dense(0.01, precision), scene), often = ended(dense(0.001, precision), scene);
+      EXPECT_GT(often.rebuilds, 2 * usual.rebuilds);
+      EXPECT_EQ(often.digest, usual.digest);
+      EXPECT_EQ(ended(dense(0.025, precision), scene).digest, usual.digest);
+    }
+}
+
+// A list a step: springs go from one to the next 150 times, and whoever touches must be near in all of them.
+TEST(DenseBits, OfCanonicalOrderAreThoseOfASkinOfNextToNothing) {
+  for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+    const Scene scene = bed(SumOrder::canonical);
+    const Ended bare = ended(dense(1e-8 * diameter, precision), scene);
+    EXPECT_GT(bare.rebuilds, crowd_steps - 5);
+    EXPECT_EQ(bare.digest, ended(dense(0.01, precision), scene).digest);
   }
 }
 
 TEST(DenseBits, OfFastOrderDependOnTheSkin) {
   EXPECT_NE(ended(dense(0.001), bed(SumOrder::fast)).digest, ended(dense(0.03), bed(SumOrder::fast)).digest);
-}
-
-Outcome outcome_of(Path path, Scene scene) {
-  EngineOptions options = dense();
-  options.path = path;
-  OpenClEngine engine(options);
-  return engine.observe(scene, {}).outcome;
-}
-
-void expect_same_failure(const Scene& scene, const std::string& words) {
-  const Outcome zoned = outcome_of(Path::zoned, scene), seen = outcome_of(Path::dense, scene);
-  EXPECT_EQ(seen.status, Outcome::Status::went_wrong);
-  EXPECT_NE(seen.reason.find(words), std::string::npos) << seen.reason;
-  EXPECT_EQ(seen.reason, zoned.reason);
-  EXPECT_EQ(seen.step, zoned.step);
-  EXPECT_EQ(seen.particles, zoned.particles);
-}
-
-TEST(DenseFailures, AnEscapeIsToldAsByTheZonedPath) {
-  Scene scene = bed(SumOrder::fast);
-  scene.walls.clear();
-  scene.domain.boundary[2] = Boundary::open;
-  scene.particles.back().velocity = {0, 0, 80.0};
-  expect_same_failure(scene, "left the domain through the upper z face");
-}
-
-TEST(DenseFailures, TooDeepAnOverlapIsToldAsByTheZonedPath) {
-  Scene scene = bed(SumOrder::fast);
-  scene.run.overlap_limit = 0.1;
-  scene.particles[444].velocity = {30.0, 0, 0};
-  expect_same_failure(scene, "overlaps particle");
-}
-
-TEST(DenseFailures, AWallTooDeepIsToldAsByTheZonedPath) {
-  Scene scene = bed(SumOrder::fast);
-  scene.run.overlap_limit = 0.1;
-  scene.particles[4].velocity = {0, 0, -30.0};
-  expect_same_failure(scene, "overlaps wall lower");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 constexpr double skin = 0.01;
 
 Support support(const Scene& scene, Request request = {}) {
-  return dense_support(scene, request, Precision::single_precision, skin);
+  return dense_support(scene, request, skin);
 }
 
 void expect_refused(const Scene& scene, const std::string& because, Request request = {}) {
@@ -34,10 +34,6 @@ TEST(DensePath, LeavesTheLedgerToTheZonedPath) {
   Request request;
   request.ledger = true;
   expect_refused(crowded_scene({}), "ledger", request);
-}
-
-TEST(DensePath, LeavesDoublePrecisionToTheZonedPath) {
-  EXPECT_FALSE(dense_support(crowded_scene({}), {}, Precision::double_precision, skin));
 }
 
 TEST(DensePath, LeavesOtherLawsToTheZonedPath) {

@@ -77,7 +77,8 @@ TEST_F(OclgrindOnce, FindsNothingWhereSpringsGoFromListToList) {
 
 TEST_F(OclgrindOnce, FindsNothingInTheDensePath) {
   for (const char* scene : {"boxed", "damped_friction", "fixed", "tilted_plane", "turning_liggghts"})
-    expect_clean(run_driver(checker, std::string("single dense ") + scene + " 16 20"));
+    for (const char* precision : {"single", "double"})
+      expect_clean(run_driver(checker, precision + std::string(" dense ") + scene + " 16 20"));
 }
 
 TEST_F(OclgrindOnce, FindsNothingInABuildOfEveryStage) {

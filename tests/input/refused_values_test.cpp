@@ -108,6 +108,7 @@ const Mistake numbers[] = {
     {"NegativeViscosity", "gravity = [0.0, 0.0, -9.81]", "flow = { kind = \"still\", viscosity = -1.0 }",
      "viscosity = -1", "above 0"},
     {"NegativeSkin", "end = 0.01", "skin = -0.1\nend = 0.01", "skin = -0.1", "positive"},
+    {"SkinOfAnotherName", "end = 0.01", "skin = \"wide\"\nend = 0.01", "\"wide\"", "\"auto\"", "skin"},
     {"RecordTwice", "end = 0.01", "record = { every = 0.1, steps = 3 }\nend = 0.01", "a table",
      "one of every"},
     {"RecordNever", "end = 0.01", "record = { steps = 0 }\nend = 0.01", "steps = 0", "from 1"},

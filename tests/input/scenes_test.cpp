@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "input/read_case.hpp"
+#include "tests/input/example.hpp"
 #include "tests/input/scene_files.hpp"
 
 namespace grainproof {
@@ -63,6 +64,11 @@ TEST(Scenes, SettlingStepIsASixtyFourthOfTheContact) {
   ASSERT_EQ(read.scenes.size(), 3u);
   // π/sqrt(k/m − (η/2m)²) for m = 1.0471976 kg, k = 1e5 N/m and ε = 0.8, worked out by hand.
   EXPECT_NEAR(read.scenes[0].scene.run.step, 0.01019194 / 64, 1e-10);
+}
+
+TEST(Scenes, TheSkinMayBeLeftToASearch) {
+  const Case read = read_text(with(example, "end = 0.01", "skin = \"auto\"\nend = 0.01"));
+  EXPECT_EQ(read.scenes.at(0).scene.run.skin, RunSettings::searched_skin);
 }
 
 TEST(Scenes, BoxOf1000TakesAHundredThousandSteps) {
