@@ -69,6 +69,7 @@ class Expansion {
     const int dithered = sweep_.onset ? phase : sample;
     const double step = resolved_step(wish, sweep_.step_dither ? dither(dithered) : 0.0, contact_);
     guard.check(step, wish.place);
+    check_strides(scene, step, wish.place);
     ResolvedScene& resolved =
         out_.emplace_back(ResolvedScene{scene, {wish.label, wish.steps_per_contact, sample, values_}});
     RunSettings& run = resolved.scene.run;

@@ -14,6 +14,9 @@ double resolved_step(const StepWish& wish, double dither, const std::optional<do
 /// Duration of the shortest contact of a scene, s.
 std::optional<double> shortest_contact_of(const SetUp& set_up);
 
+/// Refuses bodies and walls that move so far in a step that a contact could be missed without a trace.
+void check_strides(const Scene& scene, double step, const Node& place);
+
 /// Guards the steps of one scene with one integrator.
 class StabilityGuard {
  public:
