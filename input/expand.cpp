@@ -78,6 +78,7 @@ class Expansion {
     if (!sweep_.onset) return;
     start_earlier(resolved.scene, (phase + 0.5) / sweep_.onset->phases * step);
     check_still_inside(resolved.scene, sweep_.onset->place);
+    check_still_apart(resolved.scene, sweep_.onset->place);
   }
 
   const Sweep& sweep_;

@@ -43,7 +43,34 @@ bool any_pair_touches(const Scene& scene, Onset::Surface surface) {
   return false;
 }
 
+/// Of the smaller radius: as for a start without a sweep.
+constexpr double deepest_start = 0.5;
+
+bool too_deep(const Scene& scene, const Particle& one, const Particle& other) {
+  const double distance = nearest_image(scene.domain, one.position, other.position).norm();
+  const double overlap = 0.5 * (one.diameter + other.diameter) - distance;
+  return overlap > (deepest_start + touching) * 0.5 * std::min(one.diameter, other.diameter) &&
+         !(one.fixed && other.fixed);
+}
+
 }  // namespace
+
+void check_still_apart(const Scene& scene, const Node& place) {
+  double largest = 0.0;
+  for (const Particle& particle : scene.particles) largest = std::max(largest, particle.diameter);
+  if (scene.particles.empty()) return;
+  SphereGrid grid(scene.domain, largest, scene.particles.size());
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    const Particle& one = scene.particles[i];
+    const bool deep =
+        grid.any_near(one.position, [&](std::size_t j) { return too_deep(scene, one, scene.particles[j]); });
+    if (deep)
+      place.refuse("particle " + std::to_string(one.id) + " deep in another once " +
+                       std::string(place.name()) + " is applied",
+                   "an overlap up to half the smaller radius");
+    grid.insert(i, one.position);
+  }
+}
 
 void check_touching(const Scene& scene, const Onset& onset) {
   for (const Particle& particle : scene.particles)
