@@ -43,6 +43,8 @@ class Expansion {
     for (const Node& offset : sweep_.offsets) {
       Scene moved = set_up_.scene;
       shift(moved, offset.vector(), offset);
+      check_still_inside(moved, offset);
+      check_still_apart(moved, offset);
       values_["offset"] = offset.label();
       over_steps(moved, guard);
     }
@@ -60,6 +62,7 @@ class Expansion {
       if (sweep_.orientations) {
         rotate(turned, rotation, sweep_.orientations->place);
         check_still_inside(turned, sweep_.orientations->place);
+        check_still_apart(turned, sweep_.orientations->place);
       }
       for (int phase = 0; phase < sweep_.phases(); ++phase) add(turned, wish, phase, sample++, guard);
     }
