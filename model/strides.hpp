@@ -10,7 +10,10 @@ namespace grainproof {
 
 /// Whether a body can pass what it should hit, or a whole period, between two steps and leave no trace. It
 /// takes more than a radius a step; a plane or the inside of a cylinder is too deep around it even then.
+/// A limit on overlaps of two radii or more, which no scene file may ask for, is for single steps of any
+/// length.
 inline bool may_leap(const Scene& scene) {
+  if (scene.run.overlap_limit >= 2.0) return false;
   const auto thin = [](const Wall& wall) {
     const auto* cylinder = std::get_if<Cylinder>(&wall.shape);
     return std::holds_alternative<Rectangle>(wall.shape) ||
