@@ -24,15 +24,18 @@ double no_tension_loss(double ratio) {
     return ratio / w * std::atan2(2.0 * ratio * w, (ratio - w) * (ratio + w));
   }
   if (ratio == 1.0) return 2.0;
+  if (ratio > 1e10) return 2.0 * std::acosh(ratio);  // w is the ratio then, and its square soon has no number
   const double w = std::sqrt((ratio - 1.0) * (ratio + 1.0));
   return 2.0 * ratio / w * std::asinh(w);
 }
 
-/// The ratio whose loss is −ln ε. The loss grows from 0 without bound, so there is one root.
+/// The ratio whose loss is −ln ε. The loss grows from 0 without bound, so there is one root, and as 2 arcosh
+/// s.
 double no_tension_ratio(double loss) {
   std::uintmax_t iterations = 200;
   const auto bracket = boost::math::tools::bracket_and_solve_root(
-      [loss](double ratio) { return no_tension_loss(ratio) - loss; }, loss / pi, 2.0, true,
+      [loss](double ratio) { return no_tension_loss(ratio) - loss; },
+      loss < 2.0 ? loss / pi : std::cosh(0.5 * loss), 2.0, true,
       boost::math::tools::eps_tolerance<double>(52), iterations);
   return 0.5 * (bracket.first + bracket.second);
 }

@@ -43,6 +43,8 @@ class Expansion {
     for (const Node& offset : sweep_.offsets) {
       Scene moved = set_up_.scene;
       shift(moved, offset.vector(), offset);
+      check_still_inside(moved, offset);
+      check_still_apart(moved, offset);
       values_["offset"] = offset.label();
       over_steps(moved, guard);
     }
@@ -63,6 +65,7 @@ class Expansion {
       if (sweep_.orientations) {
         rotate(turned, rotation, sweep_.orientations->place);
         check_still_inside(turned, sweep_.orientations->place);
+        check_still_apart(turned, sweep_.orientations->place);
       }
       for (int phase = 0; phase < sweep_.phases(); ++phase) add(turned, wish, phase, sample++, guard);
     }
@@ -72,6 +75,7 @@ class Expansion {
     const int dithered = sweep_.onset ? phase : sample;
     const double step = resolved_step(wish, sweep_.step_dither ? dither(dithered) : 0.0, contact_);
     guard.check(step, wish.place);
+    check_strides(scene, step, wish.place);
     ResolvedScene& resolved =
         out_.emplace_back(ResolvedScene{scene, {wish.label, wish.steps_per_contact, sample, values_}});
     resolved.point.step_because = wish.because;
@@ -81,6 +85,7 @@ class Expansion {
     if (!sweep_.onset) return;
     start_earlier(resolved.scene, (phase + 0.5) / sweep_.onset->phases * step);
     check_still_inside(resolved.scene, sweep_.onset->place);
+    check_still_apart(resolved.scene, sweep_.onset->place);
   }
 
   const Sweep& sweep_;

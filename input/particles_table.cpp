@@ -94,7 +94,8 @@ std::vector<Filled> read_fill_from_file(const Table& table, const Table& fill, c
 }
 
 std::vector<Filled> read_fill(const Table& table, const Reading& reading, const Scene& scene) {
-  const std::size_t largest = reading.options.most_particles - scene.particles.size();
+  const std::size_t there = std::min(scene.particles.size(), reading.options.most_particles);
+  const std::size_t largest = reading.options.most_particles - there;
   const Table fill = table.at("fill").table();
   const FillKind kind = fill.at("kind").choice(fill_kinds);
   if (kind == FillKind::file) return read_fill_from_file(table, fill, reading, largest);

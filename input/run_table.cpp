@@ -41,6 +41,13 @@ RecordWish read_record(const Table& table) {
   return {kind, static_cast<double>(node.integer_within(1, static_cast<std::int64_t>(most)))};
 }
 
+/// Two radii deep, the centres of two spheres may meet, and their contact has no direction.
+double read_overlap_limit(const Node& node) {
+  const double limit = node.positive();
+  if (!(limit < 2.0)) node.refuse("a number above 0 and below 2, where centres meet");
+  return limit;
+}
+
 }  // namespace
 
 Integrator read_integrator(const Node& node) {
@@ -81,7 +88,7 @@ void read_run(const Table& table, SetUp& set_up) {
   if (const auto integrator = table.find("integrator")) run.integrator = read_integrator(*integrator);
   if (const auto search = table.find("neighbours")) run.neighbours = search->choice(searches);
   if (const auto skin = table.find("skin")) run.skin = read_skin(*skin);
-  if (const auto limit = table.find("overlap_limit")) run.overlap_limit = limit->positive();
+  if (const auto limit = table.find("overlap_limit")) run.overlap_limit = read_overlap_limit(*limit);
   if (const auto record = table.find("record")) set_up.record = read_record(record->table());
 }
 

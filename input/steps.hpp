@@ -18,6 +18,9 @@ StepWish with_error_resolved(StepWish wish, const Scene& scene, const std::optio
 /// Duration of the shortest contact of a scene, s.
 std::optional<double> shortest_contact_of(const SetUp& set_up);
 
+/// Refuses bodies and walls that move so far in a step that a contact could be missed without a trace.
+void check_strides(const Scene& scene, double step, const Node& place);
+
 /// Guards the steps of one scene with one integrator.
 class StabilityGuard {
  public:

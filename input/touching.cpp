@@ -43,7 +43,42 @@ bool any_pair_touches(const Scene& scene, Onset::Surface surface) {
   return false;
 }
 
+/// Of the smaller radius: as for a start without a sweep.
+constexpr double deepest_start = 0.5;
+
+bool too_deep(const Scene& scene, const Particle& one, const Particle& other) {
+  const double distance = nearest_image(scene.domain, one.position, other.position).norm();
+  const double overlap = 0.5 * (one.diameter + other.diameter) - distance;
+  return overlap > (deepest_start + touching) * 0.5 * std::min(one.diameter, other.diameter) &&
+         !(one.fixed && other.fixed);
+}
+
+bool in_a_wall(const Scene& scene, const Particle& particle) {
+  const double radius = 0.5 * particle.diameter;
+  return !particle.fixed && std::any_of(scene.walls.begin(), scene.walls.end(), [&](const Wall& wall) {
+    return !(distance_to(wall.shape, particle.position) >= (1.0 - deepest_start - touching) * radius);
+  });
+}
+
 }  // namespace
+
+void check_still_apart(const Scene& scene, const Node& place) {
+  const std::string once = " once " + std::string(place.name()) + " is applied";
+  if (!(scene.domain.lower.array() < scene.domain.upper.array()).all() || !scene.domain.extent().allFinite())
+    place.refuse("a domain without room" + once, "a transform that its numbers have digits for");
+  double largest = 0.0;
+  for (const Particle& particle : scene.particles) largest = std::max(largest, particle.diameter);
+  if (scene.particles.empty()) return;
+  SphereGrid grid(scene.domain, largest, scene.particles.size());
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    const Particle& one = scene.particles[i];
+    const auto deep_in = [&](std::size_t j) { return too_deep(scene, one, scene.particles[j]); };
+    if (in_a_wall(scene, one) || grid.any_near(one.position, deep_in))
+      place.refuse("particle " + std::to_string(one.id) + " deep in another or in a wall" + once,
+                   "an overlap up to half the smaller radius");
+    grid.insert(i, one.position);
+  }
+}
 
 void check_touching(const Scene& scene, const Onset& onset) {
   for (const Particle& particle : scene.particles)

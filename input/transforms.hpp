@@ -29,6 +29,10 @@ void start_earlier(Scene& scene, double time);
 /// Refuses, at the onset, a scene in which no two surfaces touch to 1e-9 of their radii.
 void check_touching(const Scene& scene, const Onset& onset);
 
+/// Refuses, at `place`, what a transform may have pushed or rounded into something else: an empty domain,
+/// particles deeper than half the smaller radius in each other or in a wall.
+void check_still_apart(const Scene& scene, const Node& place);
+
 /// Refuses, at `place`, a particle outside the domain.
 void check_still_inside(const Scene& scene, const Node& place);
 

@@ -3,6 +3,7 @@
 // Moves a body with `velocity` for `drift`, back into the box through periodic faces.
 INLINE void drift_body(World w, int i, real3 velocity, real drift, int step) {
   Position p = w.positions[i];
+  if (w.constants->limits.y > 0 && longer_than_radius(p, velocity * drift)) blame(w, i, step, LEAPT, 0, ESCAPED_AT);
   if (!displace(&p, velocity, drift)) {
     blame(w, i, step, NOT_A_NUMBER, 0, ESCAPED_AT);
     return;

@@ -10,6 +10,7 @@
 #define NOT_A_NUMBER 1
 #define LEFT_DOMAIN 2
 #define TOO_DEEP 3
+#define LEAPT 4
 
 INLINE void blame(World w, int i, int step, int cause, int partner, int signal) {
   if (w.faults[i].x != NEVER) return;

@@ -126,6 +126,10 @@ INLINE Separation rectangle_separation(Position p, RectangleShape shape, const g
   return s;
 }
 
+INLINE bool longer_than_radius(Position p, real3 way) {
+  return way.x * way.x + way.y * way.y + way.z * way.z > p.at.w * p.at.w;
+}
+
 // False when the new position is no number.
 INLINE bool displace(Position* p, real3 velocity, real drift) {
   p->at.xyz += velocity * drift;

@@ -223,6 +223,11 @@ INLINE void carry(int* whole, float* part, float displacement) {
   *part = left - step;
 }
 
+INLINE bool longer_than_radius(Position p, real3 way) {
+  const float radius = (float)p.whole.w + p.part.w;
+  return way.x * way.x + way.y * way.y + way.z * way.z > radius * radius;
+}
+
 // False when the new position is no number, or farther away than a position can say.
 INLINE bool displace(Position* p, real3 velocity, real drift) {
   const float3 d = velocity * drift;

@@ -32,6 +32,9 @@ std::string described(const Scene& scene, std::size_t i, const cl_int4& fault) {
     case left_domain:
       text << " left the domain through the " << face_names[other] << " face";
       break;
+    case leapt:
+      text << " moved by more than its radius in one step, and so may pass through what it should hit";
+      break;
     default:
       text << " overlaps " << (other >= 0 ? "particle " : "wall ");
       if (other >= 0)

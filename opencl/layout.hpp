@@ -177,7 +177,7 @@ enum HistoryBit {
 
 /// Signals and causes of kernels/faults.cl.
 enum Signal { stale_at, escaped_at, overlapped_at, halted, signal_count };
-enum Cause { not_a_number = 1, left_domain = 2, too_deep = 3 };
+enum Cause { not_a_number = 1, left_domain = 2, too_deep = 3, leapt = 4 };
 inline constexpr cl_int never = 0x7fffffff;
 
 }  // namespace grainproof::opencl

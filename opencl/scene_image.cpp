@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/strides.hpp"
 #include "opencl/bytes.hpp"
 #include "opencl/coordinates.hpp"
 #include "opencl/pair_laws.hpp"
@@ -47,6 +48,7 @@ class Imager {
     c.time = {{static_cast<Real>(step), static_cast<Real>(step / 2), static_cast<Real>(drift),
                static_cast<Real>(drift / 2)}};
     c.limits.s[0] = static_cast<Real>(scene_.run.overlap_limit);
+    c.limits.s[1] = may_leap(scene_) ? Real{1} : Real{0};
     c.counts = {{static_cast<cl_int>(image_.particles), static_cast<cl_int>(scene_.materials.size()),
                  static_cast<cl_int>(image_.near.planes.size()),
                  static_cast<cl_int>(image_.near.rectangles.size())}};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "model/strides.hpp"
 #include "reference_cpu/digest.hpp"
 #include "reference_cpu/fields.hpp"
 #include "reference_cpu/memories.hpp"
@@ -33,6 +34,7 @@ ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger)
       laws_(scene_),
       cohesion_(has_cohesion(scene_)),
       simple_(laws_.all_simple()),
+      may_leap_(may_leap(scene_)),
       bodies_(inside_bodies(scene_, box_)),
       neighbours_(scene_, walls_, bodies_, box_),
       space_order_(scene_),
@@ -79,10 +81,16 @@ void ReferenceRun::find_neighbours() {
   neighbours_.list(bodies_);
 }
 
+bool ReferenceRun::leapt(const Body& body) const {
+  const double step = scene_.run.step;
+  return may_leap_ && body.velocity.squaredNorm() * (step * step) > body.radius * body.radius;
+}
+
 // Comparisons are false for NaN, so one test finds what has left and what is no number any more.
 void ReferenceRun::confine() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Vec3& position = bodies_.body[i].position;
+    if (leapt(bodies_.body[i])) watch_.report({Trouble::Kind::leapt, static_cast<std::int32_t>(i)});
     if (box_.any()) position = box_.inside(position);
     if (within(position, scene_.domain)) continue;
     const auto kind = position.allFinite() ? Trouble::Kind::escaped : Trouble::Kind::not_finite;

@@ -29,6 +29,7 @@ class ReferenceRun : public Run {
   void take_step();
   template <class Kick>
   void kick(Kick apply);
+  bool leapt(const Body& body) const;
   void confine();
   void find_neighbours();
   /// Contacts that already were have lasted `elapsed` (s) longer than at the evaluation before.
@@ -47,6 +48,7 @@ class ReferenceRun : public Run {
   const LawTable laws_;
   const bool cohesion_;
   const bool simple_;
+  const bool may_leap_;
   Bodies bodies_;
   Neighbours neighbours_;
   SpaceOrder space_order_;

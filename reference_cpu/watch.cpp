@@ -80,6 +80,9 @@ std::string lost(const Trouble& trouble, const Scene& scene) {
     text
         << " has a position or velocity that is not a number; likely cause: step too large for the stiffness "
            "or drag, so that the motion grew without bound";
+  else if (trouble.kind == Trouble::Kind::leapt)
+    text << " moved by more than its radius in one step, and so may pass through what it should hit; likely "
+            "cause: step too large for this speed, stiffness or force";
   else
     text
         << " left the domain through a face that is not periodic; likely cause: no wall there, or a step too "

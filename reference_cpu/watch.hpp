@@ -11,7 +11,7 @@ namespace grainproof::reference {
 
 /// What went wrong first, by indices; told in words only when it is raised.
 struct Trouble {
-  enum class Kind { not_finite, escaped, pair_too_deep, wall_too_deep } kind;
+  enum class Kind { not_finite, escaped, leapt, pair_too_deep, wall_too_deep } kind;
   std::int32_t particle;
   std::int32_t partner = -1;  ///< particle or wall
   double overlap = 0.0;       ///< m

@@ -126,7 +126,7 @@ Measured lost_particles(const Scene& scene, const Observations& seen, const Obse
                                     [&](const Vec3& x) { return inside(scene.domain, x); });
     most = std::max(most, scene.particles.size() - static_cast<std::size_t>(kept));
   }
-  return Measured::of(static_cast<double>(most) / static_cast<double>(scene.particles.size()));
+  return relative(static_cast<double>(most), static_cast<double>(scene.particles.size()));
 }
 
 }  // namespace grainproof

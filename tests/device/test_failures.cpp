@@ -57,6 +57,14 @@ TEST_P(Failures, TheSmallestIdIsNamedWhenSeveralGoWrongAtOnce) {
   expect_named(outcome(scene), "particle 5 ", {5});
 }
 
+TEST_P(Failures, AParticleThatMayLeapOverAnotherIsNamed) {
+  Scene scene = escaping_scene();
+  scene.particles[2].velocity.x() = 1.01 * 0.5 * scene.particles[2].diameter / scene.run.step;
+  const Outcome seen = outcome(scene);
+  expect_named(seen, "particle 8 moved by more than its radius in one step", {8});
+  EXPECT_EQ(seen.step, 1);
+}
+
 TEST_P(Failures, TooDeepAnOverlapIsNamedWithBothParticles) {
   Scene scene = empty_scene(0.8);
   scene.run.end = 0.1;

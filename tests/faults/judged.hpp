@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,19 @@ class Exact {
   std::map<std::string, std::unique_ptr<Engine>> engines_;
 };
 
-inline std::vector<Row> judged(const std::filesystem::path& scene, Engine& engine) {
+/// The scene file of a case, in whichever folder of scenes/ it is.
+inline std::filesystem::path case_file(const std::string& name) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator("scenes"))
+    if (entry.path().stem() == name && entry.path().extension() == ".toml") return entry.path();
+  throw std::runtime_error("there is no case " + name);
+}
+
+/// By the first `samples` of the case's sweep, or by all where that is 0.
+inline std::vector<Row> judged(const std::filesystem::path& scene, Engine& engine, int samples = 0) {
   const auto exact = std::make_shared<Exact>();
-  const Case subject = read_case(scene, {});
+  Case subject = read_case(scene, {});
+  if (samples > 0)
+    std::erase_if(subject.scenes, [&](const ResolvedScene& one) { return one.point.sample >= samples; });
   return judge(subject, engine, [exact](const std::string& against) { return (*exact)(against); });
 }
 

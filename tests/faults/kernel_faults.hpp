@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <ostream>
+#include <string_view>
 
 #include "opencl/engine.hpp"
 
@@ -18,6 +19,7 @@ struct KernelFault {
   opencl::Precision precision = opencl::Precision::double_precision;
   opencl::Path path = opencl::Path::automatic;
   double skin = -1.0;  ///< m; negative leaves it to the engine
+  int samples = 0;     ///< of the case's sweep, where so few of them do; 0 is all
 };
 
 inline void PrintTo(const KernelFault& fault, std::ostream* out) {
@@ -66,7 +68,7 @@ inline constexpr std::array kernel_faults{
     KernelFault{"HalfOfMindlinsStiffness", "history.cl", "const real stiffness = law.spring * rise.factor",
                 "const real stiffness = (real)0.5 * law.spring * rise.factor", "hertz_memory"},
     KernelFault{"SpringLostAtARebuild", "carry.cl", "known ? old_springs[", "false ? old_springs[",
-                "history_pair", opencl::Precision::double_precision, opencl::Path::zoned, 0.0},
+                "history_pair", opencl::Precision::double_precision, opencl::Path::zoned, 0.0, 1},
     KernelFault{"SpringTurnedByTheDistanceAcrossTheBox", "spheres.cl", "  meet(load, c, law);",
                 "  const real3 far = normalize(self.position.at.xyz - other.position.at.xyz);\n"
                 "  c.memory->xyz -= dot(c.memory->xyz, far) * far;\n  meet(load, c, law);",
@@ -104,6 +106,44 @@ inline constexpr std::array kernel_faults{
                 "periodic_gas", opencl::Precision::double_precision, opencl::Path::zoned},
     KernelFault{"ListKeptTooLong", "steps.cl", "w.box->half_skin", "w.box->skin", "periodic_gas",
                 opencl::Precision::double_precision, opencl::Path::zoned},
+    KernelFault{"RectangleWithoutAnEdge", "position_double.cl", "d > half_extent ? d - half_extent",
+                "d > half_extent ? 0", "hard_rectangle_edge"},
+    KernelFault{"LeapUnnoticed", "drift.cl", "limits.y > 0", "limits.y < 0", "hard_leap_later"},
+    KernelFault{"OverlapLimitIgnored", "spheres.cl", "if (c.overlap > w", "if (c.overlap < -w",
+                "hard_too_soft"},
+    KernelFault{"ListWithoutItsSkin", "pairs.cl", "sum_of(reach, w.box->skin)", "reach", "hard_one_zone"},
+    KernelFault{"LastOfAZoneLeftOut", "pairs.cl", "m < to", "m + 1 < to", "hard_one_zone"},
+    KernelFault{"ParticleMeetsItself", "pairs.cl", "j == self.index", "false", "hard_one_zone"},
+    KernelFault{"WrappedAtOneFaceOnly", "position_double.cl", "x >= upper ? x - period", "x >= upper ? x",
+                "hard_periodic_face"},
+    KernelFault{"ImageOnTheOtherSide", "position_fixed.cl", "*whole -= images * period",
+                "*whole += images * period", "hard_periodic_face", opencl::Precision::single_precision},
+    KernelFault{"GravityLeftOut", "forces.cl", "self.inverse_mass + gravity", "self.inverse_mass",
+                "hard_one_in_many_zones"},
 };
+
+/// Of every kind one or two, for every day; tests/faults/score.py plants all.
+inline constexpr std::string_view quick_kernel_faults[] = {"ReducedMassLeftOut",
+                                                           "FrictionTimesVelocity",
+                                                           "CohesionRepels",
+                                                           "DragHalved",
+                                                           "TorqueArmOfTheWholeRadius",
+                                                           "SpringDoesNotTurn",
+                                                           "SpinsSubtractedInAPair",
+                                                           "HalfOfMindlinsStiffness",
+                                                           "WallVelocityIgnored",
+                                                           "MovingWallStaysWhereItIsDrawn",
+                                                           "OutsideOfACylinderNarrower",
+                                                           "RollingSpringWoundBackwards",
+                                                           "RemainderDropped",
+                                                           "ZoneSearchOneSided",
+                                                           "RectangleWithoutAnEdge",
+                                                           "LeapUnnoticed",
+                                                           "OverlapLimitIgnored",
+                                                           "ListWithoutItsSkin",
+                                                           "LastOfAZoneLeftOut",
+                                                           "WrappedAtOneFaceOnly",
+                                                           "ImageOnTheOtherSide",
+                                                           "GravityLeftOut"};
 
 }  // namespace grainproof::faults

@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "opencl/engine.hpp"
 #include "tests/faults/judged.hpp"
@@ -62,7 +64,7 @@ std::vector<Row> rows_with(const fs::path& kernels, const KernelFault& fault) {
   options.path = fault.path;
   if (fault.skin >= 0.0) options.skin = fault.skin;
   opencl::OpenClEngine engine(options);
-  return judged(fs::path("scenes") / (std::string(fault.scene) + ".toml"), engine);
+  return judged(case_file(fault.scene), engine, fault.samples);
 }
 
 class KernelFaults : public testing::TestWithParam<KernelFault> {};
@@ -70,12 +72,34 @@ class KernelFaults : public testing::TestWithParam<KernelFault> {};
 TEST_P(KernelFaults, AreNoticed) {
   const KernelCopy copy(GetParam().name);
   ASSERT_NO_FATAL_FAILURE(copy.plant(GetParam()));
+  RecordProperty("case", GetParam().scene);
+  RecordProperty("of", GetParam().file);
   const auto rows = rows_with(copy.folder(), GetParam());
   EXPECT_FALSE(failed(rows).empty()) << "unnoticed by " << rows.size() << " rows of " << GetParam().scene;
 }
 
-INSTANTIATE_TEST_SUITE_P(Planted, KernelFaults, testing::ValuesIn(kernel_faults),
-                         [](const auto& tested) { return std::string(tested.param.name); });
+bool is_quick(const KernelFault& fault) {
+  return std::ranges::find(quick_kernel_faults, std::string_view(fault.name)) !=
+         std::end(quick_kernel_faults);
+}
+
+std::vector<KernelFault> those(bool quick) {
+  std::vector<KernelFault> some;
+  for (const KernelFault& fault : kernel_faults)
+    if (is_quick(fault) == quick) some.push_back(fault);
+  return some;
+}
+
+std::string name_of(const testing::TestParamInfo<KernelFault>& tested) {
+  return tested.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Quick, KernelFaults, testing::ValuesIn(those(true)), name_of);
+INSTANTIATE_TEST_SUITE_P(Planted, KernelFaults, testing::ValuesIn(those(false)), name_of);
+
+TEST(FaultsOfEveryDay, AreAllThere) {
+  EXPECT_EQ(those(true).size(), std::size(quick_kernel_faults));
+}
 
 /// The control: without a fault none of those rows fails. On the path that the engine takes by itself
 /// this is what `verify` shows; here are the scenes that it is forced onto another.
@@ -94,8 +118,7 @@ std::vector<KernelFault> on_a_forced_path() {
   return forced;
 }
 
-INSTANTIATE_TEST_SUITE_P(Control, KernelsAsTheyAre, testing::ValuesIn(on_a_forced_path()),
-                         [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(Control, KernelsAsTheyAre, testing::ValuesIn(on_a_forced_path()), name_of);
 
 }  // namespace
 }  // namespace grainproof::faults

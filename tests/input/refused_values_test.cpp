@@ -114,6 +114,14 @@ const Mistake numbers[] = {
     {"RecordNever", "end = 0.01", "record = { steps = 0 }\nend = 0.01", "steps = 0", "from 1"},
     {"TooManyFrames", "end = 0.01", "record = { every = 1e-12 }\nend = 0.01", "a million frames", "record",
      "step = "},
+    {"OverlapLimitWhereCentresMeet", "end = 0.01", "overlap_limit = 2.0\nend = 0.01", "overlap_limit = 2",
+     "below 2"},
+    {"StrideBeyondARadius", "step = \"contact/64\"", "step = 0.1\nbeyond_stability = true",
+     "particle 2 moving by 4 radii in a step", "at most its radius", "step ="},
+    {"StrideOfARectangle", "plane = { point = [0.0, 0.0, -0.5], normal = [0.0, 0.0, 1.0] }",
+     "rectangle = { lower = [-1.0, -1.0, -0.5], upper = [1.0, 1.0, -0.5] }\nmotion = { velocity = [1e4, 0.0, "
+     "0.0] }",
+     "wall floor moving by", "the smallest radius of what it may hit, 0.05 m", "step ="},
     {"TooManySteps", "step = \"contact/64\"", "step = 1e-20", "steps", "1e15"},
 };
 

@@ -35,13 +35,27 @@ Scene closing_pair(double speed, double step) {
 TEST(Failures, ParticleThatLeavesIsNamedWithStepAndTime) {
   Scene scene = empty_scene(linear(1e3, Damping{0.0}), 0.25);
   add_particle(scene, 0.1, {1.0, 0.0, 0.0});
-  add_particle(scene, 0.1, {0.0, 9.0, 0.0}, {0.0, 1.0, 0.0});
+  add_particle(scene, 0.1, {0.0, 9.8, 0.0}, {0.0, 0.19, 0.0});
   const auto run = start(scene);
   const RunWentWrong failure = failure_of(*run, 10);
   EXPECT_EQ(failure.step, 5);
   EXPECT_EQ(failure.time, 1.25);
   EXPECT_EQ(failure.particles, std::vector<std::int64_t>{2});
   EXPECT_TRUE(says(failure, "particle 2 left the domain")) << failure.what();
+}
+
+// 0.051 m a step: past a radius of 0.05 m.
+TEST(Failures, ParticleThatMayLeapOverAnotherIsNamed) {
+  Scene scene = empty_scene(linear(1e3, Damping{0.0}), 0.25);
+  add_particle(scene, 0.1, {0.0, 0.0, 0.0}, {0.204, 0.0, 0.0});
+  const auto alone = start(scene);
+  EXPECT_NO_THROW(alone->advance(3));
+  add_particle(scene, 0.1, {1.0, 0.0, 0.0});
+  const auto run = start(scene);
+  const RunWentWrong failure = failure_of(*run, 10);
+  EXPECT_EQ(failure.step, 1);
+  EXPECT_EQ(failure.particles, std::vector<std::int64_t>{1});
+  EXPECT_TRUE(says(failure, "moved by more than its radius in one step")) << failure.what();
 }
 
 TEST(Failures, NotANumberIsFoundAtOnce) {
