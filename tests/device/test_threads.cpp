@@ -15,9 +15,12 @@ bool same(const Observations& a, const Observations& b) {
          a.frames.back().velocity == b.frames.back().velocity;
 }
 
-// Two scenes of one program, so that threads that did not take turns would set each other's kernel arguments.
+// Two scenes of one program and several launches a step, so that threads that did not take turns would set
+// each other's kernel arguments.
 TEST(Threads, ObserveOnOneEngineAsIfAlone) {
-  OpenClEngine engine(options_for(Precision::double_precision));
+  EngineOptions options = options_for(Precision::double_precision);
+  options.path = Path::zoned;
+  OpenClEngine engine(options);
   const Scene scenes[] = {varied_scene("history", 3), varied_scene("history", 4)};
   const Observations alone[] = {engine.observe(scenes[0], {}), engine.observe(scenes[1], {})};
   int alike[] = {0, 0};
