@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "model/sections.hpp"
 #include "opencl/dense_image.hpp"
 #include "opencl/scan.hpp"
 #include "opencl/workshop.hpp"
@@ -31,6 +32,10 @@ class DenseList {
   void build_again(DenseWorld& world, Program& program, int turn);
 
   std::int64_t slots() const { return slots_; }
+
+  /// dense_checkpoint.cpp
+  void pack_into(Sections& own, const DenseWorld& world) const;
+  void unpack_from(const Sections& own, DenseWorld& world);
 
  private:
   void find(DenseWorld& world, Program& program, int turn);

@@ -71,7 +71,7 @@ void DenseRun::advance(std::int64_t steps) {
     enqueued_ = last;
     if (last < done_) catch_up();
   }
-  counters_.steps = done_;
+  counters_.steps = first_step_ + done_;
 }
 
 void DenseRun::ensure_started() {

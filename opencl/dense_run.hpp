@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "opencl/checkpoint.hpp"
 #include "opencl/dense_list.hpp"
 
 namespace grainproof::opencl {
@@ -21,7 +22,7 @@ struct DenseLists {
 ///
 /// As in ZonedRun, steps are enqueued in batches without asking the device; kernels stop by themselves where
 /// the list has gone stale, and the host goes on from there with a new one.
-class DenseRun : public Run {
+class DenseRun : public RestorableRun {
  public:
   DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Precision precision, double skin);
 
@@ -32,6 +33,10 @@ class DenseRun : public Run {
   std::uint64_t digest() override;
   Counters counters() const override { return counters_; }
   Ledger ledger() override { return {}; }
+  std::string maker() const override;
+  Checkpoint checkpoint() override;
+  void restore(const Sections& own) override;
+  void begin_at(const Beginning& beginning) override;
 
  private:
   void build_list();
@@ -62,6 +67,7 @@ class DenseRun : public Run {
   DenseList list_;
   cl::Buffer signals_;
   Counters counters_;
+  std::int64_t first_step_ = 0;  ///< that the device's step 0 is
   std::int64_t done_ = 0;
   std::int64_t enqueued_ = 0;
   std::int64_t built_at_ = -1;

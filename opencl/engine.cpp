@@ -62,6 +62,10 @@ Support OpenClEngine::supports(const Scene& scene, const Request&) const {
 std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& request) {
   const Support support = supports(scene, request);
   if (!support) throw EngineFailed(name() + " does not support this scene: " + support.because);
+  return begin(scene, request);
+}
+
+std::unique_ptr<RestorableRun> OpenClEngine::begin(const Scene& scene, const Request& request) {
   const bool small = takes_small_path(options_.path, scene);
   const double skin = options_.skin.value_or(scene.run.skin >= 0.0 ? scene.run.skin : usual_skin(scene));
   if (!small && takes_dense_path(options_.path, scene, request, options_.precision, skin))
@@ -71,6 +75,28 @@ std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& requ
   if (small) return std::make_unique<SmallRun>(workshop_, scene, build);
   return std::make_unique<ZonedRun>(workshop_, scene, build, choose_zones(scene, skin),
                                     static_cast<std::size_t>(options_.work_group));
+}
+
+std::unique_ptr<RestartableRun> OpenClEngine::go_on(const Scene& scene, const Request& request,
+                                                    const Beginning& beginning) {
+  std::unique_ptr<RestorableRun> run = begin(scene, request);
+  run->begin_at(beginning);
+  return run;
+}
+
+std::unique_ptr<RestartableRun> OpenClEngine::restored(const Scene& scene, const Request& request,
+                                                       const Checkpoint& from, std::string& because) {
+  std::unique_ptr<RestorableRun> run = begin(scene, request);
+  if (from.maker != run->maker())
+    because = "it was written by " +
+              (from.maker.empty() ? "an engine without a part of its own" : from.maker) +
+              ", and this run is " + run->maker();
+  else if (request.ledger && !from.ledger)
+    because = "it was written by a run without a ledger";
+  else
+    run->restore(from.own);
+  if (!because.empty()) return nullptr;
+  return run;
 }
 
 Provenance OpenClEngine::provenance() const {

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "model/engine.hpp"
+#include "model/checkpoint.hpp"
 #include "opencl/precision.hpp"
 
 namespace grainproof::opencl {
 
-/// `automatic` takes the small path (one work-group, all pairs) up to 64 particles, the dense one for many with
-/// contacts that it knows (opencl/dense_options.hpp), else the zoned one, which knows all.
+/// `automatic` takes the small path (one work-group, all pairs) up to 64 particles, the dense one for many
+/// with contacts that it knows (opencl/dense_options.hpp), else the zoned one, which knows all.
 enum class Path { automatic, small, zoned, dense };
 
 /// `lean` compiles what a scene needs; `full` also every stage that cannot change its physics. Same bits.
@@ -42,10 +42,11 @@ struct DeviceDescription {
 /// Every OpenCL device found; empty where there is no platform. Never throws for a missing one.
 std::vector<DeviceDescription> list_devices();
 
+class RestorableRun;
 class Workshop;
 
 /// The scene's physics on an OpenCL device: "opencl:single", "opencl:double".
-class OpenClEngine : public SteppingEngine {
+class OpenClEngine : public RestartableEngine {
  public:
   /// Throws EngineFailed when there is no such device.
   explicit OpenClEngine(EngineOptions options);
@@ -57,7 +58,16 @@ class OpenClEngine : public SteppingEngine {
   Provenance provenance() const override;
   /// As every stepping engine's, but a small scene's frames are taken by the device on its way.
 
+ protected:
+  std::unique_ptr<RestartableRun> restored(const Scene& scene, const Request& request, const Checkpoint& from,
+                                           std::string& because) override;
+  std::unique_ptr<RestartableRun> go_on(const Scene& scene, const Request& request,
+                                        const Beginning& beginning) override;
+
  private:
+  /// On the path that it takes; the scene is supported.
+  std::unique_ptr<RestorableRun> begin(const Scene& scene, const Request& request);
+
   EngineOptions options_;
   std::shared_ptr<Workshop> workshop_;  ///< device, queue and built programs; runs keep it alive
 };
