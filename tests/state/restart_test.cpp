@@ -163,7 +163,7 @@ double apart_after_handing_over(RestartableEngine& first, RestartableEngine& sec
 TEST(HandedOver, ARunGoesOnOnAnotherEngineAtTheSameTime) {
   reference::ReferenceEngine reference;
   OpenClEngine single(options_for(Precision::single_precision));
-  for (const char* name : {"leapfrog_verlet", "paddle", "rotating_gravity"}) {
+  for (const char* name : {"leapfrog_verlet", "drum", "rotating_gravity"}) {
     SCOPED_TRACE(name);
     const Scene scene = varied_scene(name, 2);
     EXPECT_LT(apart_after_handing_over(reference, single, scene), 1e-3);
