@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <random>
 
 #include "tests/app/program.hpp"
 
@@ -128,9 +129,12 @@ TEST(RunFrom, AKillLeavesTheLastWholeCheckpoint) {
   const char* asked = std::getenv("GRAINPROOF_KILLS");
   const int kills = asked != nullptr ? std::atoi(asked) : 4;
   std::int64_t reached = 0;
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 dice(seed);
   for (int k = 0; k < kills; ++k) {
     const std::string from = fs::exists(checkpoint) ? " --from " + checkpoint.string() : "";
-    const std::string seconds = std::to_string(0.4 + 0.137 * (k % 7));
+    const std::string seconds = std::to_string(0.3 + 1e-3 * static_cast<double>(dice() % 1000));
     const std::string command = "GRAINPROOF_DATA='" + fs::current_path().string() + "' timeout -s KILL " +
                                 seconds + " '" GRAINPROOF_PROGRAM "' --quiet run " + scene + from +
                                 " --checkpoint-every 200 --out " + out.string() + " >/dev/null 2>" +
