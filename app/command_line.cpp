@@ -87,6 +87,15 @@ void add_run(CLI::App& program, Command& chosen) {
                     "orientation qw,qx,qy,qz, in full precision");
   command->add_flag("--no-ledger", options->no_ledger,
                     "Keep no energy and impulse ledger: faster, and no walls.csv");
+  command->add_option("--from", options->from, "Go on from a checkpoint of this scene")->type_name("FILE");
+  command
+      ->add_option("--checkpoint-every", options->checkpoint_every,
+                   "With --out: write checkpoint.h5 every so many steps (1000) or seconds (30s)")
+      ->type_name("N");
+  command->add_flag("--no-self-test", options->no_self_test,
+                    "Do not test the kernels on a device that has not been tested yet");
+  command->add_flag("--no-sentinels", options->no_sentinels,
+                    "Do not look out for energy from nowhere, nor keep the last good state");
   command->add_flag("--force", options->force, "Run although the step is above the stability limit");
   command->add_option("--nth", options->nth, sweep_help)->type_name("N");
   command->callback([&chosen, options] {
@@ -99,13 +108,22 @@ void add_compare(CLI::App& program, Command& chosen) {
   CLI::App* command =
       add_command(program, "compare", "Run one scene on several engines, side by side",
                   "  grainproof compare normal_collision --engines reference,opencl:double\n"
-                  "  grainproof compare settling --engines reference,opencl,liggghts --out apart\n");
+                  "  grainproof compare settling --engines reference,opencl,liggghts --out apart\n"
+                  "  grainproof compare settling --exact opencl:double --other settling_canonical.toml\n");
   command->add_option("scene", options->scene, "Name of a case, or a scene file")->required();
   command->add_option("--engines", options->engines, engine_help())
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->required()
       ->type_name("A,B");
+  command
+      ->add_option("--exact", options->exact,
+                   "Instead of --engines: the first step and particle in which A and B differ by a bit; or A "
+                   "alone, with --other")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("A,B");
+  command->add_option("--other", options->other, "With --exact: the second runs this scene, of the same ids")
+      ->type_name("SCENE");
   command->add_option("--device", options->device, device_help);
   command->add_option("--out", options->out, "Write compare.json and every engine's frames here")
       ->type_name("DIR");

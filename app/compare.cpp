@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/compare_exact.hpp"
 #include "app/drive.hpp"
 #include "app/engines.hpp"
 #include "app/exit_code.hpp"
@@ -92,6 +93,7 @@ int report_failures(const std::vector<report::Seen>& seen, std::ostream& err) {
 }  // namespace
 
 int compare(const CompareOptions& options, Terminal& terminal) {
+  if (!options.exact.empty()) return compare_exact(options, terminal);
   Progress progress(terminal.err, terminal.err_is_terminal, terminal.quiet);
   const auto data = data_root();
   const ChosenScene chosen = choose_scene(data, options.scene, options.nth, options.force, progress);

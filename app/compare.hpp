@@ -12,6 +12,8 @@ namespace grainproof::app {
 struct CompareOptions {
   std::string scene;
   std::vector<std::string> engines;  ///< two or more; the others are held against the first
+  std::vector<std::string> exact;    ///< one or two, to be compared bit by bit instead
+  std::string other;                 ///< scene of the second, where it is another
   std::string device;
   std::filesystem::path out;  ///< folder for compare.json and every engine's frames; empty writes none
   std::filesystem::path json;

@@ -9,6 +9,8 @@
 #include "app/exit_code.hpp"
 #include "app/resources.hpp"
 #include "app/scene_choice.hpp"
+#include "app/scene_identity.hpp"
+#include "app/self_test.hpp"
 #include "model/errors.hpp"
 #include "report/files.hpp"
 #include "report/frames.hpp"
@@ -31,16 +33,59 @@ Request supported_request(const Engine& engine, const Scene& scene, bool no_ledg
   return request;
 }
 
-report::RunSummary summarise(const ChosenScene& chosen, const Observations& seen, std::int64_t frames) {
+/// The checkpoint to go on from, which must be of this scene and not beyond its end.
+std::optional<report::SavedCheckpoint> saved_run(const RunOptions& options, const ChosenScene& chosen) {
+  if (options.from.empty()) return {};
+  report::SavedCheckpoint saved = report::read_checkpoint(options.from);
+  report::require_same_scene(options.from, saved.origin, chosen.name, fingerprints_of(chosen.scene));
+  const RunSettings& run = chosen.scene.run;
+  if (saved.checkpoint.state.step > step_at_or_after(run.end, run.step))
+    throw InputRefused(options.from.string() + " is of t = " + report::exact(saved.checkpoint.state.time) +
+                       " s, and the scene ends at " + report::exact(run.end) + " s");
+  return saved;
+}
+
+KeeperOptions keeper_options(const RunOptions& options) {
+  KeeperOptions keeper{.sentinels = !options.no_sentinels, .folder = options.out};
+  if (options.checkpoint_every.empty()) return keeper;
+  read_interval(options.checkpoint_every, keeper);
+  if (options.out.empty())
+    throw InputRefused("found --checkpoint-every without --out; expected a folder to write checkpoints to");
+  return keeper;
+}
+
+/// Says so where a run cannot go on with the bits of the one before.
+void say_how_it_goes_on(Engine& engine, const Scene& scene, const Request& request,
+                        const report::SavedCheckpoint& saved, Progress& progress) {
+  auto* restartable = dynamic_cast<RestartableEngine*>(&engine);
+  if (restartable == nullptr) return;
+  const State& state = saved.checkpoint.state;
+  const std::string because = restartable->resume(scene, request, saved.checkpoint).not_exact_because;
+  progress.say("goes on from step " + std::to_string(state.step) + ", t = " + report::exact(state.time) +
+               " s" + (because.empty() ? "" : "; not with the bits of the run before: " + because));
+}
+
+report::RunSummary summarise(const ChosenScene& chosen, const Driven& seen, std::int64_t frames) {
   report::RunSummary summary;
   summary.scene = chosen.name;
   summary.particles = static_cast<std::int64_t>(chosen.scene.particles.size());
   summary.frames = frames;
   summary.step = chosen.scene.run.step;
   summary.step_because = chosen.step_because;
+  summary.first_step = seen.first_step;
+  summary.digest = seen.digest;
   if (!seen.frames.empty()) summary.contacts = report::count_contacts(chosen.scene, seen.frames.back());
   summary.peak_memory = report::peak_memory_bytes();
   return summary;
+}
+
+report::CheckpointOrigin origin_of(const Engine& engine, const ChosenScene& chosen) {
+  report::CheckpointOrigin origin;
+  origin.scene = chosen.name;
+  origin.parts = fingerprints_of(chosen.scene);
+  if (const auto* stepping = dynamic_cast<const SteppingEngine*>(&engine))
+    origin.provenance = stepping->provenance();
+  return origin;
 }
 
 void explain_failure(const Outcome& outcome, std::ostream& err) {
@@ -61,18 +106,24 @@ int run_scene(const RunOptions& options, Terminal& terminal) {
   const auto engine = make_engine(options.engine, {data, options.precision, options.device});
   const ChosenScene chosen = choose_scene(data, options.scene, options.nth, options.force, progress);
   const Request request = supported_request(*engine, chosen.scene, options.no_ledger);
+  const KeeperOptions kept = keeper_options(options);
+  const auto saved = saved_run(options, chosen);
+  if (!options.no_self_test) require_sound_kernels(*engine, data, options.device, progress);
+  if (saved) say_how_it_goes_on(*engine, chosen.scene, request, *saved, progress);
+  RunKeeper keeper(chosen.scene, kept, origin_of(*engine, chosen));
 
   std::optional<report::FrameWriter> writer;
   if (!options.out.empty()) writer.emplace(options.out, chosen.scene, options.csv);
   std::optional<report::WallWriter> walls;
   if (writer && request.ledger && !chosen.scene.walls.empty()) walls.emplace(options.out, chosen.scene);
   std::int64_t frames = 0;
-  const Observations seen =
-      drive(*engine, chosen.scene, request, progress, [&](const Frame& frame, const Ledger* ledger) {
-        if (writer) writer->write(frame);
-        if (walls && ledger) walls->write(frame.time, *ledger);
-        ++frames;
-      });
+  const Driven seen = drive(*engine, chosen.scene, request, progress,
+                            [&](const Frame& frame, const Ledger* ledger) {
+                              if (writer) writer->write(frame);
+                              if (walls && ledger) walls->write(frame.time, *ledger);
+                              ++frames;
+                            },
+                            {saved ? &saved->checkpoint : nullptr, &keeper});
 
   const report::RunSummary summary = summarise(chosen, seen, frames);
   const std::string json = report::summary_json(summary, seen, report::this_machine()).dump(2) + "\n";

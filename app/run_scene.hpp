@@ -17,6 +17,10 @@ struct RunOptions {
   std::filesystem::path json;  ///< summary; empty writes none
   bool csv = false;
   bool no_ledger = false;
+  bool no_sentinels = false;
+  bool no_self_test = false;
+  std::filesystem::path from;    ///< checkpoint to go on from; empty starts at the beginning
+  std::string checkpoint_every;  ///< steps, or seconds with an s; empty writes none
   bool force = false;
   int nth = 0;  ///< which scene of a sweep, from 1; 0 is the first, with a remark
 };

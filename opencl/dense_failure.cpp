@@ -49,7 +49,7 @@ void DenseRun::tell_what_went_wrong(cl_int step, bool escaped) {
       else if (face >= 0)
         faults[i] = {{step, left_domain, face, 0}};
     }
-    throw_failure(scene_, step, bytes_of(faults));
+    throw_failure(scene_, step, bytes_of(faults), first_step_);
   }
   const DenseLists lists = read_lists();
   const NearWalls near = near_walls(scene_);
@@ -80,7 +80,7 @@ void DenseRun::tell_what_went_wrong(cl_int step, bool escaped) {
   const double limit = std::min(scene_.run.overlap_limit, most * (1.0 - 1e-6));
   for (std::size_t i = 0; i < deepest.size(); ++i)
     if (deepest[i].fraction > limit) faults[i] = {{step, too_deep, deepest[i].partner, 0}};
-  throw_failure(scene_, step, bytes_of(faults));
+  throw_failure(scene_, step, bytes_of(faults), first_step_);
 }
 
 }  // namespace grainproof::opencl

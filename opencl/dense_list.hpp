@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "model/sections.hpp"
 #include "opencl/dense_image.hpp"
 #include "opencl/scan.hpp"
 #include "opencl/workshop.hpp"
@@ -45,6 +46,10 @@ class DenseList {
   std::int64_t rows() const { return rows_; }
   std::int64_t row_room() const { return row_room_; }
   std::size_t bytes() const;
+
+  /// dense_checkpoint.cpp
+  void pack_into(Sections& own, const DenseWorld& world) const;
+  void unpack_from(const Sections& own, DenseWorld& world);
 
  private:
   /// Rooms within one copy of the records, for as long as a list is made.

@@ -63,8 +63,8 @@ std::vector<DenseBody> DenseRun::bodies(const cl::Buffer& records) {
 Frame DenseRun::frame() {
   synchronise();
   Frame frame;
-  frame.step = done_;
-  frame.time = static_cast<double>(done_) * scene_.run.step;
+  frame.step = first_step_ + done_;
+  frame.time = static_cast<double>(frame.step) * scene_.run.step;
   for (const DenseBody& body : bodies(report(world_.springs, world_.marks, false))) {
     frame.position.push_back(body.position);
     frame.velocity.push_back(body.velocity);

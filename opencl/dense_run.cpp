@@ -17,13 +17,7 @@ constexpr std::int64_t shortest_batch = 4;
 /// Groups a work-item, in work-groups of this many items.
 constexpr std::size_t items_a_group = 8;
 
-/// Of even and of odd boundaries; then how rows of springs are used, kernels/dense_springs.cl.
-struct Signals {
-  std::array<std::array<cl_int, signal_count>, 2> of{{{never, never, never, 0}, {never, never, never, 0}}};
-  cl_int rows_taken = 0, row_room = 0;
-};
-
-cl_int earliest(const Signals& signals, Signal signal) {
+cl_int earliest(const DenseSignals& signals, Signal signal) {
   return std::min(signals.of[0][signal], signals.of[1][signal]);
 }
 
@@ -58,7 +52,7 @@ DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Preci
       items_{image_.padded / static_cast<std::size_t>(group_size(precision)), items_a_group},
       world_(make_dense_world(*workshop_, image_, options_)),
       list_(*workshop_, world_, image_, options_, grid_, 64),
-      signals_(workshop_->room(sizeof(Signals))) {
+      signals_(workshop_->room(sizeof(DenseSignals))) {
   image_.records = image_.kept = image_.built_at = {};
   if (searches) search_.emplace(2.0 * grid_.largest_radius, skin);
 }
@@ -71,7 +65,7 @@ void DenseRun::advance(std::int64_t steps) {
   ensure_started();
   done_ += steps;
   enqueue_all();
-  counters_.steps = done_;
+  counters_.steps = first_step_ + done_;
 }
 
 void DenseRun::enqueue_all() {
@@ -102,13 +96,19 @@ void DenseRun::synchronise() {
 
 Counters DenseRun::counters() const {
   Counters counters = counters_;
-  counters.device_bytes = static_cast<std::int64_t>(size_of(world_) + list_.bytes() + sizeof(Signals));
+  counters.device_bytes = static_cast<std::int64_t>(size_of(world_) + list_.bytes() + sizeof(DenseSignals));
   return counters;
 }
 
-void DenseRun::reset_signals() {
-  Signals signals;
-  signals.rows_taken = static_cast<cl_int>(list_.rows());
+DenseSignals DenseRun::read_signals() {
+  DenseSignals signals;
+  workshop_->read(signals_, std::as_writable_bytes(std::span(&signals, 1)));
+  return signals;
+}
+
+void DenseRun::reset_signals(std::int64_t rows_taken) {
+  DenseSignals signals;
+  signals.rows_taken = static_cast<cl_int>(rows_taken);
   signals.row_room = static_cast<cl_int>(list_.row_room());
   workshop_->write(signals_, std::as_bytes(std::span(&signals, 1)));
 }
@@ -124,7 +124,7 @@ void DenseRun::build_list(std::int64_t at, std::int64_t rows_taken) {
   counters_.listed_pairs = list_.slots() * group_size(options_.precision) / 2;
   counters_.skin = grid_.skin;
   built_at_ = at;
-  reset_signals();
+  reset_signals(list_.rows());
 }
 
 bool DenseRun::learn(std::int64_t age) {
@@ -133,10 +133,14 @@ bool DenseRun::learn(std::int64_t age) {
   if (!search_ || !search_->learn(entries, age)) return false;
   lifetime_ =
       std::max<std::int64_t>(std::llround(static_cast<double>(lifetime_) * search_->skin() / grid_.skin), 1);
-  grid_ = DenseGrid(scene_, search_->skin());
+  use_skin(search_->skin());
+  return true;
+}
+
+void DenseRun::use_skin(double skin) {
+  grid_ = DenseGrid(scene_, skin);
   workshop_->write(world_.box, make_dense_box(scene_, options_, grid_));
   list_.use_grid(world_, grid_);
-  return true;
 }
 
 bool DenseRun::trial_is_due() const {
@@ -146,9 +150,7 @@ bool DenseRun::trial_is_due() const {
 
 void DenseRun::try_another_skin() {
   if (!caught_up() || !learn(enqueued_ - built_at_)) return;
-  Signals signals;
-  workshop_->read(signals_, std::as_writable_bytes(std::span(&signals, 1)));
-  build_list(enqueued_, signals.rows_taken);
+  build_list(enqueued_, read_signals().rows_taken);
 }
 
 void DenseRun::enqueue(std::int64_t first, std::int64_t last) {
@@ -162,8 +164,7 @@ void DenseRun::enqueue(std::int64_t first, std::int64_t last) {
 }
 
 bool DenseRun::caught_up() {
-  Signals signals;
-  workshop_->read(signals_, std::as_writable_bytes(std::span(&signals, 1)));
+  const DenseSignals signals = read_signals();
   const cl_int escaped = earliest(signals, escaped_at), overlapped = earliest(signals, overlapped_at);
   if (std::min(escaped, overlapped) != never)
     tell_what_went_wrong(std::min(escaped, overlapped), escaped < overlapped);

@@ -5,10 +5,18 @@
 #include <memory>
 #include <optional>
 
+#include "opencl/checkpoint.hpp"
 #include "opencl/dense_list.hpp"
+#include "opencl/layout.hpp"
 #include "opencl/skin_search.hpp"
 
 namespace grainproof::opencl {
+
+/// Of even and of odd boundaries; then how rows of springs are used, kernels/dense_springs.cl.
+struct DenseSignals {
+  std::array<std::array<cl_int, signal_count>, 2> of{{{never, never, never, 0}, {never, never, never, 0}}};
+  cl_int rows_taken = 0, row_room = 0;
+};
 
 /// The list, read back.
 struct DenseLists {
@@ -22,7 +30,7 @@ struct DenseLists {
 ///
 /// As in ZonedRun, steps are enqueued in batches without asking the device; kernels stop by themselves where
 /// the list has gone stale, and the host goes on from there with a new one.
-class DenseRun : public Run {
+class DenseRun : public RestorableRun {
  public:
   /// `searches`: the skin is but the first, for others to be tried.
   DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Precision precision, double skin,
@@ -35,11 +43,17 @@ class DenseRun : public Run {
   std::uint64_t digest() override;
   Counters counters() const override;
   Ledger ledger() override { return {}; }
+  std::string maker() const override;
+  Checkpoint checkpoint() override;
+  void restore(const Sections& own) override;
+  void begin_at(const Beginning& beginning) override;
 
  private:
   /// Before step `at`. `rows_taken`: DenseList::build.
   void build_list(std::int64_t at, std::int64_t rows_taken);
-  void reset_signals();
+  DenseSignals read_signals();
+  void reset_signals(std::int64_t rows_taken);
+  void use_skin(double skin);
   void enqueue(std::int64_t first, std::int64_t last);
   void enqueue_all();
   /// Whether every step enqueued is taken; else there is a new list, and those after it are not enqueued.
@@ -73,6 +87,7 @@ class DenseRun : public Run {
   cl::Buffer signals_;
   std::optional<SkinSearch> search_;
   Counters counters_;
+  std::int64_t first_step_ = 0;  ///< that the device's step 0 is
   std::int64_t done_ = 0;
   std::int64_t enqueued_ = 0;
   std::int64_t built_at_ = -1;

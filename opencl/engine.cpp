@@ -65,6 +65,10 @@ Support OpenClEngine::supports(const Scene& scene, const Request&) const {
 std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& request) {
   const Support support = supports(scene, request);
   if (!support) throw EngineFailed(name() + " does not support this scene: " + support.because);
+  return begin(scene, request);
+}
+
+std::unique_ptr<RestorableRun> OpenClEngine::begin(const Scene& scene, const Request& request) {
   const bool small = takes_small_path(options_.path, scene);
   const bool searched = !options_.skin && scene.run.skin == RunSettings::searched_skin;
   const double skin = searched ? first_skin(scene) : options_.skin.value_or(given_or_usual_skin(scene));
@@ -83,6 +87,28 @@ Observations OpenClEngine::observe(const Scene& scene, const Request& request) {
   static std::mutex turn;
   const std::lock_guard lock(turn);
   return SteppingEngine::observe(scene, request);
+}
+
+std::unique_ptr<RestartableRun> OpenClEngine::go_on(const Scene& scene, const Request& request,
+                                                    const Beginning& beginning) {
+  std::unique_ptr<RestorableRun> run = begin(scene, request);
+  run->begin_at(beginning);
+  return run;
+}
+
+std::unique_ptr<RestartableRun> OpenClEngine::restored(const Scene& scene, const Request& request,
+                                                       const Checkpoint& from, std::string& because) {
+  std::unique_ptr<RestorableRun> run = begin(scene, request);
+  if (from.maker != run->maker())
+    because = "it was written by " +
+              (from.maker.empty() ? "an engine without a part of its own" : from.maker) +
+              ", and this run is " + run->maker();
+  else if (request.ledger && !from.ledger)
+    because = "it was written by a run without a ledger";
+  else
+    run->restore(from.own);
+  if (!because.empty()) return nullptr;
+  return run;
 }
 
 Provenance OpenClEngine::provenance() const {

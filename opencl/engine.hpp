@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/engine.hpp"
+#include "model/checkpoint.hpp"
 #include "opencl/precision.hpp"
 
 namespace grainproof::opencl {
@@ -42,10 +42,11 @@ struct DeviceDescription {
 /// Every OpenCL device found; empty where there is no platform. Never throws for a missing one.
 std::vector<DeviceDescription> list_devices();
 
+class RestorableRun;
 class Workshop;
 
 /// The scene's physics on an OpenCL device: "opencl:single", "opencl:double".
-class OpenClEngine : public SteppingEngine {
+class OpenClEngine : public RestartableEngine {
  public:
   /// Throws EngineFailed when there is no such device.
   explicit OpenClEngine(EngineOptions options);
@@ -58,7 +59,16 @@ class OpenClEngine : public SteppingEngine {
   /// For several threads at once: they take turns at the devices, across all engines of a process.
   Observations observe(const Scene& scene, const Request& request) override;
 
+ protected:
+  std::unique_ptr<RestartableRun> restored(const Scene& scene, const Request& request, const Checkpoint& from,
+                                           std::string& because) override;
+  std::unique_ptr<RestartableRun> go_on(const Scene& scene, const Request& request,
+                                        const Beginning& beginning) override;
+
  private:
+  /// On the path that it takes; the scene is supported.
+  std::unique_ptr<RestorableRun> begin(const Scene& scene, const Request& request);
+
   EngineOptions options_;
   std::shared_ptr<Workshop> workshop_;  ///< device, queue and built programs; runs keep it alive
 };

@@ -48,15 +48,16 @@ std::string described(const Scene& scene, std::size_t i, const cl_int4& fault) {
 
 }  // namespace
 
-void throw_failure(const Scene& scene, cl_int step, const Bytes& faults) {
-  const double time = step * scene.run.step;
+void throw_failure(const Scene& scene, cl_int step, const Bytes& faults, std::int64_t first_step) {
+  const std::int64_t at = first_step + step;
+  const double time = static_cast<double>(at) * scene.run.step;
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     const auto fault = value_at<cl_int4>(faults, i);
     if (fault.s[0] != step) continue;
     std::vector<std::int64_t> ids{scene.particles[i].id};
     if (fault.s[1] == too_deep && fault.s[2] >= 0)
       ids.push_back(scene.particles[static_cast<std::size_t>(fault.s[2])].id);
-    throw RunWentWrong(described(scene, i, fault), step, time, ids);
+    throw RunWentWrong(described(scene, i, fault), at, time, ids);
   }
   throw EngineFailed("a fault at step " + std::to_string(step) + " was signalled but no particle has it");
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "model/sections.hpp"
 #include "opencl/scan.hpp"
 #include "opencl/world.hpp"
 
@@ -24,6 +25,9 @@ class PairList {
   const cl::Buffer& built_at() const { return built_at_; }
   /// Entries of the list: a pair of moving particles has two.
   std::int64_t entries() const { return entries_; }
+
+  void pack_into(Sections& own) const;
+  void unpack_from(const Sections& own);
 
  private:
   struct Entries {

@@ -44,7 +44,7 @@ void DeviceRun::advance(std::int64_t steps) {
   take_steps(steps);
   started_ = true;
   done_ += steps;
-  counters_.steps = done_;
+  counters_.steps = first_step_ + done_;
 }
 
 void DeviceRun::synchronise() {
@@ -93,8 +93,8 @@ Frame DeviceRun::frame_of(std::int64_t step, std::span<const std::byte> position
                           std::span<const std::byte> velocities, std::span<const std::byte> spins,
                           std::span<const std::byte> orientations) const {
   Frame frame;
-  frame.step = step;
-  frame.time = static_cast<double>(step) * scene_.run.step;
+  frame.step = first_step_ + step;
+  frame.time = static_cast<double>(frame.step) * scene_.run.step;
   frame.position.reserve(image_.particles);
   frame.velocity.reserve(image_.particles);
   for (std::size_t i = 0; i < image_.particles; ++i) {
@@ -167,6 +167,8 @@ Ledger DeviceRun::ledger() {
 
 void DeviceRun::use_tables_of_steps(std::int64_t first, std::int64_t last) {
   world_.table_origin = static_cast<cl_int>(first);
+  first += first_step_;
+  last += first_step_;
   if (options_.gravity == GravityKind::rotating)
     world_.gravity_table =
         workshop_->upload(gravity_table(scene_.gravity, scene_.run.step, first, last, options_.precision));
@@ -179,7 +181,7 @@ void DeviceRun::check_signals(std::span<const cl_int, signal_count> signals) {
   if (step == never) return;
   const Bytes faults = read_particles(world_.faults, sizeof(cl_int4));
   settled_ = true;
-  throw_failure(scene_, step, faults);
+  throw_failure(scene_, step, faults, first_step_);
 }
 
 }  // namespace grainproof::opencl

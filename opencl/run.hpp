@@ -6,14 +6,14 @@
 #include <memory>
 #include <optional>
 
-#include "model/engine.hpp"
+#include "opencl/checkpoint.hpp"
 #include "opencl/layout.hpp"
 #include "opencl/world.hpp"
 
 namespace grainproof::opencl {
 
 /// What both paths share: the state on the device and how it is read back.
-class DeviceRun : public Run {
+class DeviceRun : public RestorableRun {
  public:
   DeviceRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const BuildOptions& options,
             const ZoneGrid& grid, std::size_t work_group);
@@ -25,17 +25,25 @@ class DeviceRun : public Run {
   std::uint64_t digest() final;
   Counters counters() const final { return counters_; }
   Ledger ledger() final;
+  std::string maker() const final;
+  Checkpoint checkpoint() final;
+  void restore(const Sections& own) final;
+  void begin_at(const Beginning& beginning) final;
 
  protected:
   /// Takes steps done_+1 … done_+steps, and before the first of all the forces of step 0.
   virtual void take_steps(std::int64_t steps) = 0;
   /// Waits for the device, tells of what went wrong, and leaves velocities at the boundary in `reported`.
   virtual void settle() = 0;
+  /// What a path keeps besides the world, for a checkpoint.
+  virtual void pack_path(Sections& own) = 0;
+  virtual void unpack_path(const Sections& own) = 0;
 
   /// What changes with time by itself: the direction of gravity, the places of walls.
   void use_tables_of_steps(std::int64_t first, std::int64_t last);
   /// Throws RunWentWrong when a signal says so.
   void check_signals(std::span<const cl_int, signal_count> signals);
+  /// Steps done since the start, as the device counts them.
   std::int64_t done() const { return done_; }
   /// From what the device holds: positions, and velocities at the step boundary.
   Frame frame_of(std::int64_t step, std::span<const std::byte> positions,
@@ -62,6 +70,7 @@ class DeviceRun : public Run {
   Range particles_;
   Counters counters_;
   bool started_ = false;
+  std::int64_t first_step_ = 0;  ///< that the device's step 0 is
 
  private:
   void ensure_started();

@@ -77,12 +77,13 @@ std::size_t DeviceRun::index_of(std::int64_t id) const {
   return static_cast<std::size_t>(found - scene_.particles.begin());
 }
 
-// The fourth number marks a contact that is known; where no overlap is told, it stands for none that the law
-// asks.
+// The fourth number marks a contact that is known, so that it is forgotten where the bodies turn out to be
+// apart; where no overlap is told, it is one that no law asks for, longer than any.
 void DeviceRun::put_memory(Bytes& memories, std::size_t slot, const ContactMemory& memory,
                            double sign) const {
   const std::size_t words = options_.rolling_spring ? 2 : 1;
-  decoder_->put(memories, words * slot, sign * memory.tangential_displacement, memory.overlap);
+  decoder_->put(memories, words * slot, sign * memory.tangential_displacement,
+                memory.overlap > 0.0 ? memory.overlap : 1.0);
   if (options_.rolling_spring)
     decoder_->put(memories, words * slot + 1, sign * Vec3(-memory.rolling_torque), 0.0);
 }

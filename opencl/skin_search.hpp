@@ -17,6 +17,7 @@ class SkinSearch {
   /// Diameters: lists beyond are looked for in other cells, and places would have other bits.
   static constexpr double widest = 0.3;
 
+  SkinSearch() = default;
   SkinSearch(double diameter, double first) : diameter_(diameter), skin_(first) {}
 
   double skin() const { return skin_; }
@@ -31,7 +32,7 @@ class SkinSearch {
  private:
   double entries_at(double skin) const;
 
-  double diameter_, skin_;
+  double diameter_ = 0.0, skin_ = 0.0;
   double entries_ = 0.0;
   double other_skin_ = -1.0, other_entries_ = 0.0;  ///< of the last list of another skin
   std::int64_t lists_ = 0;

@@ -85,6 +85,9 @@ void SmallRun::remember_pairs() {
 }
 
 void SmallRun::record(std::span<const std::int64_t> steps, std::vector<Frame>& frames) {
+  std::vector<std::int64_t> counted(steps.begin(), steps.end());
+  for (std::int64_t& step : counted) step -= first_step_;
+  steps = counted;
   while (!steps.empty() && steps.front() <= done()) {
     frames.push_back(frame());
     steps = steps.subspan(1);
@@ -121,7 +124,7 @@ void SmallRun::record_some(std::span<const std::int64_t> steps, std::vector<Fram
   try {
     synchronise();
   } catch (const RunWentWrong& failure) {
-    append_before(failure.step);
+    append_before(failure.step - first_step_);
     throw;
   }
   append_before(never);

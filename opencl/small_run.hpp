@@ -25,6 +25,8 @@ class SmallRun : public DeviceRun {
   void take_steps(std::int64_t steps) override;
   void settle() override;
   std::vector<ContactMemory> pair_memories() override;
+  void pack_path(Sections& own) override;
+  void unpack_path(const Sections& own) override;
 
  private:
   /// Frames that the device writes down during the launches of one record().

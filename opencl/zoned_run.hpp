@@ -21,6 +21,8 @@ class ZonedRun : public DeviceRun {
   void take_steps(std::int64_t steps) override;
   void settle() override;
   std::vector<ContactMemory> pair_memories() override;
+  void pack_path(Sections& own) override;
+  void unpack_path(const Sections& own) override;
 
  private:
   void build_list(std::int64_t at_step);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <tuple>
 
 namespace grainproof::reference {
 
@@ -48,6 +49,32 @@ void ForceLog::wall_force(const Encounter& meet, const Vec3& on_particle, const 
   walls[wall_of(meet)].force += on_particle;
   walls[wall_of(meet)].moment += arm.cross(on_particle);
   wall_power += on_particle.dot(meet.wall_velocity);
+}
+
+void ForceLog::pack_into(Sections& own) const {
+  pack(own, "log.energies", std::vector{elastic, tangential, wound, cohesive, wall_power});
+  pack_one(own, "log.support", support);
+  pack(own, "log.walls", walls);
+  pack(own, "log.contacts", contacts);
+  pack(own, "log.rollings", rollings);
+  pack(own, "log.gravity", gravity);
+  pack(own, "log.drag", drag);
+  pack(own, "log.fluid", fluid);
+}
+
+void ForceLog::unpack_from(const Sections& own) {
+  std::vector<double> energies;
+  unpack(own, "log.energies", energies);
+  if (energies.size() != 5) throw InputRefused("the checkpoint's ledger has another number of energies");
+  std::tie(elastic, tangential, wound, cohesive, wall_power) =
+      std::tie(energies[0], energies[1], energies[2], energies[3], energies[4]);
+  unpack_one(own, "log.support", support);
+  unpack(own, "log.walls", walls);
+  unpack(own, "log.contacts", contacts);
+  unpack(own, "log.rollings", rollings);
+  unpack(own, "log.gravity", gravity);
+  unpack(own, "log.drag", drag);
+  unpack(own, "log.fluid", fluid);
 }
 
 }  // namespace grainproof::reference

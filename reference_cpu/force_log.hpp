@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/sections.hpp"
 #include "reference_cpu/bodies.hpp"
 #include "reference_cpu/contact_force.hpp"
 #include "reference_cpu/encounter.hpp"
@@ -53,6 +54,9 @@ struct ForceLog {
   void pair_force(const Bodies& bodies, std::int32_t first, std::int32_t second, const Vec3& on_second);
   /// `arm` points from the wall's reference point to where the force acts.
   void wall_force(const Encounter& meet, const Vec3& on_particle, const Vec3& arm);
+
+  void pack_into(Sections& own) const;
+  void unpack_from(const Sections& own);
 
   double elastic = 0.0;         ///< in normal springs, J
   double tangential = 0.0;      ///< in tangential springs, J

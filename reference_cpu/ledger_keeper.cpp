@@ -50,6 +50,18 @@ Ledger LedgerKeeper::at(const Bodies& bodies, double pending) const {
   return ledger;
 }
 
+void LedgerKeeper::pack_into(Sections& own) const {
+  log_.pack_into(own);
+  pack_one(own, "ledger.totals", static_cast<const Totals&>(sums_));
+  pack(own, "ledger.walls", sums_.walls);
+}
+
+void LedgerKeeper::unpack_from(const Sections& own) {
+  log_.unpack_from(own);
+  unpack_one(own, "ledger.totals", static_cast<Totals&>(sums_));
+  unpack(own, "ledger.walls", sums_.walls);
+}
+
 void LedgerKeeper::book(Sums& sums, const Kick& kick) const {
   sums.support.add(log_.support * kick.duration);
   sums.wall_work.add(log_.wall_power * kick.duration);

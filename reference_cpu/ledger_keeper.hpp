@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/observations.hpp"
+#include "model/sections.hpp"
 #include "reference_cpu/compensated_sum.hpp"
 #include "reference_cpu/force_log.hpp"
 
@@ -26,6 +27,9 @@ class LedgerKeeper {
   /// to bring the velocities up to the step boundary.
   Ledger at(const Bodies& bodies, double pending) const;
 
+  void pack_into(Sections& own) const;
+  void unpack_from(const Sections& own);
+
  private:
   /// Velocities before and after the forces in the log have acted for `duration`.
   struct Kick {
@@ -46,13 +50,17 @@ class LedgerKeeper {
     CompensatedSum<Vec3> impulse{Vec3::Zero()}, angular_impulse{Vec3::Zero()};
   };
 
-  /// Since the start.
-  struct Sums {
-    explicit Sums(std::size_t wall_count) : walls(wall_count) {}
-
+  /// Since the start, but for the walls.
+  struct Totals {
     CompensatedSum<double> gravity_work{0.0}, drag_work{0.0}, wall_work{0.0}, dissipated_normal{0.0},
         taken_by_friction{0.0}, taken_by_rolling{0.0};
     CompensatedSum<Vec3> support{Vec3::Zero()}, field{Vec3::Zero()};
+  };
+
+  /// Since the start.
+  struct Sums : Totals {
+    explicit Sums(std::size_t wall_count) : walls(wall_count) {}
+
     std::vector<WallSums> walls;
   };
 

@@ -65,4 +65,14 @@ std::vector<ContactMemory> memories_by_id(const Scene& scene, const ContactHisto
   return memories;
 }
 
+void pack_memories(Sections& own, const ContactHistory& history) {
+  pack(own, "memories", history.memories());
+}
+
+std::vector<ContactHistory::Memory> unpacked_memories(const Sections& own) {
+  std::vector<ContactHistory::Memory> memories;
+  unpack(own, "memories", memories);
+  return memories;
+}
+
 }  // namespace grainproof::reference

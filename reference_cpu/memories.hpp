@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/scene.hpp"
+#include "model/sections.hpp"
 #include "reference_cpu/bodies.hpp"
 #include "reference_cpu/contact_history.hpp"
 
@@ -16,5 +17,9 @@ std::vector<ContactHistory::Memory> memories_of(const Scene& scene);
 /// Pairs by rising ids; after them wall by wall, by rising ids.
 std::vector<ContactMemory> memories_by_id(const Scene& scene, const ContactHistory& history,
                                           const Bodies& bodies);
+
+/// As they are held, for a run that goes on from a checkpoint of this engine.
+void pack_memories(Sections& own, const ContactHistory& history);
+std::vector<ContactHistory::Memory> unpacked_memories(const Sections& own);
 
 }  // namespace grainproof::reference

@@ -17,6 +17,27 @@ std::unique_ptr<Run> ReferenceEngine::start(const Scene& scene, const Request& r
   return std::make_unique<ReferenceRun>(scene, request.ledger);
 }
 
+std::unique_ptr<RestartableRun> ReferenceEngine::restored(const Scene& scene, const Request& request,
+                                                          const Checkpoint& from, std::string& because) {
+  if (from.maker != checkpoint_maker) {
+    because =
+        "it was written by " + (from.maker.empty() ? "an engine without a part of its own" : from.maker);
+    return nullptr;
+  }
+  if (request.ledger && !from.ledger) {
+    because = "it was written by a run without a ledger";
+    return nullptr;
+  }
+  auto run = std::make_unique<ReferenceRun>(scene, request.ledger);
+  run->restore(from.own);
+  return run;
+}
+
+std::unique_ptr<RestartableRun> ReferenceEngine::go_on(const Scene& scene, const Request& request,
+                                                       const Beginning& beginning) {
+  return std::make_unique<ReferenceRun>(scene, request.ledger, beginning);
+}
+
 Provenance ReferenceEngine::provenance() const {
   return {.engine = name(),
           .precision = "double",

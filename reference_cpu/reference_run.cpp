@@ -26,7 +26,7 @@ Bodies inside_bodies(const Scene& scene, const PeriodicBox& box) {
 
 }  // namespace
 
-ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger)
+ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger, const Beginning& beginning)
     : scene_(scene),
       scheme_(scheme_for(scene_.run.integrator)),
       box_(scene_.domain),
@@ -39,8 +39,12 @@ ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger)
       neighbours_(scene_, walls_, bodies_, box_),
       space_order_(scene_),
       history_(memories_of(scene_)),
-      watch_(scene_.run.overlap_limit) {
+      watch_(scene_.run.overlap_limit),
+      first_step_(beginning.step),
+      step_(first_step_) {
   if (with_ledger) ledger_.emplace(scene_);
+  walls_.move_to(time());
+  if (bodies_.orientation.size() == beginning.orientation.size()) bodies_.orientation = beginning.orientation;
   find_neighbours();
   evaluate_forces(0.0);
 }
@@ -63,7 +67,7 @@ void ReferenceRun::kick(Kick apply) {
 
 void ReferenceRun::take_step() {
   const double step = scene_.run.step;
-  kick([&] { return scheme_.move(bodies_, scene_.flow, step, step_); });
+  kick([&] { return scheme_.move(bodies_, scene_.flow, step, step_ - first_step_); });
   turn_bodies(scene_.orientation, bodies_, step, scheme_.move_lag);
   ++step_;
   confine();

@@ -3,7 +3,7 @@
 #pragma once
 #include <optional>
 
-#include "model/engine.hpp"
+#include "model/checkpoint.hpp"
 #include "reference_cpu/contacts.hpp"
 #include "reference_cpu/integrators/scheme.hpp"
 #include "reference_cpu/ledger_keeper.hpp"
@@ -11,11 +11,14 @@
 
 namespace grainproof::reference {
 
+/// Who can read a checkpoint's own part.
+inline constexpr const char* checkpoint_maker = "reference";
+
 /// A step moves the particles, looks who is near whom where that may have changed, and sums the
 /// forces at the new place, so that between steps forces and state belong together.
-class ReferenceRun : public Run {
+class ReferenceRun : public RestartableRun {
  public:
-  ReferenceRun(const Scene& scene, bool with_ledger);
+  ReferenceRun(const Scene& scene, bool with_ledger, const Beginning& beginning = {});
 
   void advance(std::int64_t steps) override;
   void synchronise() override {}
@@ -24,6 +27,9 @@ class ReferenceRun : public Run {
   std::uint64_t digest() override;
   Counters counters() const override;
   Ledger ledger() override;
+  Checkpoint checkpoint() override;
+  /// Takes over what checkpoint() has put into its own part. Throws InputRefused.
+  void restore(const Sections& own);
 
  private:
   void take_step();
@@ -39,7 +45,7 @@ class ReferenceRun : public Run {
   std::vector<Vec3> positions() const;
   double time() const { return static_cast<double>(step_) * scene_.run.step; }
   /// By how many steps the held velocities are behind; none before the first step.
-  double velocity_lag() const { return step_ == 0 ? 0.0 : scheme_.velocity_lag; }
+  double velocity_lag() const { return step_ == first_step_ ? 0.0 : scheme_.velocity_lag; }
 
   const Scene scene_;
   const Scheme scheme_;
@@ -55,7 +61,8 @@ class ReferenceRun : public Run {
   ContactHistory history_;
   Watch watch_;
   std::optional<LedgerKeeper> ledger_;
-  std::int64_t step_ = 0;
+  std::int64_t first_step_;
+  std::int64_t step_;
   double step_loop_wall_s_ = 0.0;
 };
 

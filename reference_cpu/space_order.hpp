@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/sections.hpp"
 #include "reference_cpu/bodies.hpp"
 #include "reference_cpu/contact_history.hpp"
 #include "reference_cpu/neighbours/neighbours.hpp"
@@ -19,6 +20,9 @@ class SpaceOrder {
 
   /// To be called before a list is made. Whoever kept an index is told by the bodies' `origin`.
   void before_list(Neighbours& neighbours, Bodies& bodies, ContactHistory& history);
+
+  void pack_into(Sections& own) const { pack_one(own, "space_order.lists", lists_); }
+  void unpack_from(const Sections& own) { unpack_one(own, "space_order.lists", lists_); }
 
  private:
   bool sorts_;

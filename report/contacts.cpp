@@ -63,27 +63,37 @@ Vec3 nearest_image(const Domain& domain, Vec3 difference) {
 
 }  // namespace
 
-ContactCount count_contacts(const Scene& scene, const Frame& frame) {
+void each_contact(const Scene& scene, const Frame& frame,
+                  const std::function<void(std::size_t, std::int64_t, double)>& visit) {
   double largest = 0.0;
   for (const Particle& particle : scene.particles) largest = std::max(largest, particle.diameter);
   const Grid grid(scene.domain, largest);
   std::map<Cell, std::vector<std::size_t>> earlier;
-  ContactCount count;
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     const Vec3& here = frame.position[i];
     const double radius = scene.particles[i].diameter / 2.0;
-    for (const Wall& wall : scene.walls) count.walls += facing(wall, here, frame.time).distance < radius;
+    for (std::size_t w = 0; w < scene.walls.size(); ++w)
+      if (const double gap = facing(scene.walls[w], here, frame.time).distance; gap < radius)
+        visit(i, -1 - static_cast<std::int64_t>(w), radius - gap);
     const Cell cell = grid.cell_of(here);
     for (const Cell& near : grid.around(cell)) {
       const auto found = earlier.find(near);
       if (found == earlier.end()) continue;
       for (std::size_t j : found->second) {
         const double reach = radius + scene.particles[j].diameter / 2.0;
-        count.pairs += nearest_image(scene.domain, frame.position[j] - here).norm() < reach ? 1 : 0;
+        const double apart = nearest_image(scene.domain, frame.position[j] - here).norm();
+        if (apart < reach) visit(i, static_cast<std::int64_t>(j), reach - apart);
       }
     }
     earlier[cell].push_back(i);
   }
+}
+
+ContactCount count_contacts(const Scene& scene, const Frame& frame) {
+  ContactCount count;
+  each_contact(scene, frame, [&](std::size_t, std::int64_t other, double) {
+    (other < 0 ? count.walls : count.pairs) += 1;
+  });
   return count;
 }
 

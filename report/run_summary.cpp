@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/run_summary.hpp"
 
+#include <iomanip>
 #include <sstream>
 
 #include "report/numbers.hpp"
@@ -66,9 +67,16 @@ void energy_lines(const Observations& seen, std::ostringstream& text) {
 
 }  // namespace
 
+std::string digest_text(std::uint64_t digest) {
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << digest;
+  return text.str();
+}
+
 double cundall_number(const RunSummary& summary, const Observations& seen) {
   const double seconds = loop_seconds(seen);
-  return seconds > 0.0 ? static_cast<double>(summary.particles * seen.counters.steps) / seconds : 0.0;
+  const std::int64_t steps = seen.counters.steps - summary.first_step;
+  return seconds > 0.0 ? static_cast<double>(summary.particles * steps) / seconds : 0.0;
 }
 
 json machine_json(const Machine& machine) {
@@ -93,6 +101,8 @@ json summary_json(const RunSummary& summary, const Observations& seen, const Mac
           {"step", summary.step},
           {"step_because", summary.step_because.empty() ? json(nullptr) : json(summary.step_because)},
           {"steps", seen.counters.steps},
+          {"first_step", summary.first_step},
+          {"digest", summary.digest ? json(digest_text(*summary.digest)) : json(nullptr)},
           {"frames", summary.frames},
           {"wall_s", seen.wall_s},
           {"step_loop_wall_s", seen.counters.step_loop_wall_s},
@@ -121,6 +131,7 @@ std::string summary_text(const RunSummary& summary, const Observations& seen, co
        << " particle-steps a second\n"
        << "  contacts       " << contacts_text(summary) << "\n"
        << "  list rebuilds  " << grouped(seen.counters.list_rebuilds) << "\n";
+  if (summary.digest) text << "  digest         " << digest_text(*summary.digest) << "\n";
   for (const auto& [name, value] : seen.scalars) text << "  " << name << "  " << exact(value) << "\n";
   energy_lines(seen, text);
   text << "  peak memory    " << brief(static_cast<double>(summary.peak_memory) / 1048576.0) << " MiB\n";

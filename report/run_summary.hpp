@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "model/observations.hpp"
@@ -18,11 +19,16 @@ struct RunSummary {
   std::string scene;  ///< the file's name
   std::int64_t particles = 0;
   std::int64_t frames = 0;
-  double step = 0.0;              ///< s
-  std::string step_because = {};  ///< what chose it; empty where the scene says it outright
+  double step = 0.0;                         ///< s
+  std::string step_because = {};             ///< what chose it; empty where the scene says it outright
+  std::int64_t first_step = 0;               ///< not 0 where a run went on from a checkpoint
+  std::optional<std::uint64_t> digest = {};  ///< of the last state; none where an engine does not step
   ContactCount contacts;
   std::int64_t peak_memory = 0;  ///< bytes
 };
+
+/// Sixteen hexadecimal digits.
+std::string digest_text(std::uint64_t digest);
 
 /// Particles times steps per second of wall time in the step loop.
 double cundall_number(const RunSummary& summary, const Observations& seen);

@@ -29,6 +29,16 @@ void NearWalls::list(const Walls& walls, const Bodies& bodies, const PeriodicBox
   }
 }
 
+void NearWalls::pack_into(Sections& own) const {
+  pack(own, "near_walls.reference_when_made", reference_when_made_);
+  for (std::size_t w = 0; w < near_.size(); ++w) pack(own, "near_walls." + std::to_string(w), near_[w]);
+}
+
+void NearWalls::unpack_from(const Sections& own) {
+  unpack(own, "near_walls.reference_when_made", reference_when_made_);
+  for (std::size_t w = 0; w < near_.size(); ++w) unpack(own, "near_walls." + std::to_string(w), near_[w]);
+}
+
 bool NearWalls::outdated(const Walls& walls, double skin) const {
   for (std::size_t w = 0; w < walls.size(); ++w)
     if (4.0 * (walls[w].reference - reference_when_made_[w]).squaredNorm() > skin * skin) return true;

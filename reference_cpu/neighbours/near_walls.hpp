@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "model/sections.hpp"
 #include "reference_cpu/bodies.hpp"
 #include "reference_cpu/periodic_box.hpp"
 #include "reference_cpu/walls.hpp"
@@ -23,6 +24,9 @@ class NearWalls {
 
   /// Indices of particles, rising.
   std::span<const std::int32_t> near(std::size_t wall) const { return near_[wall]; }
+
+  void pack_into(Sections& own) const;
+  void unpack_from(const Sections& own);
 
  private:
   std::vector<std::vector<std::int32_t>> near_;

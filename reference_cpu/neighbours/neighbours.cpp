@@ -76,6 +76,20 @@ void Neighbours::fill_cells(const Bodies& bodies) {
   chains_.fill(grid_over(bodies, box_, 2.0 * largest_reach_ + skin()), bodies);
 }
 
+void Neighbours::pack_into(Sections& own) const {
+  pack_one(own, "neighbours.lists", lists_);
+  pairs_.pack_into(own);
+  near_walls_.pack_into(own);
+  verlet_.pack_into(own);
+}
+
+void Neighbours::unpack_from(const Sections& own) {
+  unpack_one(own, "neighbours.lists", lists_);
+  pairs_.unpack_from(own);
+  near_walls_.unpack_from(own);
+  verlet_.unpack_from(own);
+}
+
 std::vector<std::int32_t> Neighbours::order_in_space(const Bodies& bodies) {
   fill_cells(bodies);
   return chains_.order();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "model/sections.hpp"
 #include "reference_cpu/neighbours/chain_cells.hpp"
 #include "reference_cpu/neighbours/near_walls.hpp"
 #include "reference_cpu/neighbours/pair_list.hpp"
@@ -24,6 +25,10 @@ class Neighbours {
   const PairList& pairs() const { return pairs_; }
   const NearWalls& walls() const { return near_walls_; }
   std::int64_t rebuilds() const { return lists_ - 1; }
+
+  /// The list as it is, and what tells when it is outdated.
+  void pack_into(Sections& own) const;
+  void unpack_from(const Sections& own);
 
  private:
   enum class Way { nothing_to_find, all_pairs, cells, verlet_list };

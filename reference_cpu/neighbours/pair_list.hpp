@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/sections.hpp"
 #include "reference_cpu/bodies.hpp"
 #include "reference_cpu/periodic_box.hpp"
 
@@ -32,6 +33,15 @@ class PairList {
   std::int32_t last(std::size_t particle) const { return starts_[particle + 1]; }
   std::int32_t partner(std::int32_t pair) const { return partners_[pair]; }
   std::size_t size() const { return partners_.size(); }
+
+  void pack_into(Sections& own) const {
+    pack(own, "pairs.starts", starts_);
+    pack(own, "pairs.partners", partners_);
+  }
+  void unpack_from(const Sections& own) {
+    unpack(own, "pairs.starts", starts_);
+    unpack(own, "pairs.partners", partners_);
+  }
 
  private:
   std::vector<std::int32_t> starts_;

@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "model/sections.hpp"
 #include "reference_cpu/bodies.hpp"
 #include "reference_cpu/periodic_box.hpp"
 
@@ -17,6 +18,9 @@ class VerletList {
   double skin() const { return skin_; }
   bool outdated(const Bodies& bodies, const PeriodicBox& box) const;
   void made(const Bodies& bodies);
+
+  void pack_into(Sections& own) const { pack(own, "verlet.position_when_made", position_when_made_); }
+  void unpack_from(const Sections& own) { unpack(own, "verlet.position_when_made", position_when_made_); }
 
  private:
   double skin_;
