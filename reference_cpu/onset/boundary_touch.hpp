@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "reference_cpu/onset/boundary_step.hpp"
+#include "reference_cpu/onset/partial_contact.hpp"
+#include "reference_cpu/touch.hpp"
+
+namespace grainproof::reference {
+
+/// Share of the predicted velocity that a dashpot sees, once the spring beside it has had its say:
+/// (1 + c)/(1 + c + κ) (docs/laws/integrators.md).
+inline double refined_share(double stiffness, double damping, double mass, double step) {
+  const double twice = step / (2.0 * mass);
+  const double with_damping = 1.0 + twice * damping;
+  return with_damping / (with_damping + twice * step * stiffness);
+}
+
+/// Where two bodies stood at the start of the step in which they parted.
+struct BeforeParting {
+  ContactPoint point;
+  Vec3 slip;
+  Vec3 rolling;  ///< spin of body 2 over body 1, as rolling resistance takes it, rad/s
+};
+
+/// Any laws, evaluated with the velocities predicted for the step boundary. With `corrects`, contacts that
+/// begin act for the time they have lasted, and all are remembered.
+template <bool turning, bool is_cohesive, bool corrects, class Log>
+class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
+  using Base = AnyTouch<turning, is_cohesive, Log>;
+
+ public:
+  static constexpr bool cohesive = is_cohesive;
+
+  BoundaryTouch(const Walls& walls, Bodies& bodies, ContactHistory& history, Log& log,
+                const BoundaryStep& now, OnsetEvents& events)
+      : Base(walls, bodies, history, log), now_(now), events_(events) {}
+
+  Vec3 force_on_second(const PairLaws& laws, const Encounter& meet, const Vec3& relative_velocity,
+                       double effective_mass) {
+    Vec3 force = Vec3::Zero();
+    if (meet.overlap > 0.0)
+      force = contact(
+          laws, meet,
+          {meet.normal, meet.overlap, relative_velocity, effective_mass, this->effective_radius(meet)});
+    if constexpr (cohesive) force += attraction(laws, meet, this->log_);
+    return force;
+  }
+
+  /// A contact that touches no more, with the springs that it left.
+  void end(const PairLaws& laws, const Encounter& meet, double effective_mass, ContactSprings springs);
+
+ private:
+  Vec3 contact(const PairLaws& laws, const Encounter& meet, ContactPoint point) {
+    TorqueArms arms;
+    if constexpr (turning) {
+      arms = this->arms_of(laws, meet);
+      point.relative_velocity -= this->sweep(meet, arms).cross(meet.normal);
+    }
+    if constexpr (!corrects)
+      if (!laws.remembers()) return last(laws, meet, arms, point, {});
+    const ContactSprings* kept = this->history_.meet(this->memory_key(meet), meet.second);
+    if constexpr (corrects)
+      if (!kept && now_.started) return begin(laws, meet, arms, point);
+    return last(laws, meet, arms, point, kept ? *kept : ContactSprings{});
+  }
+
+  Vec3 last(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
+            ContactSprings springs) {
+    const double root_mass = std::sqrt(point.effective_mass);
+    ContactResponse now = response(laws, point, root_mass);
+    const double damping = now.damping;
+    if constexpr (corrects) refine(laws, meet, arms, point, now);
+    const double elapsed = this->history_.elapsed();
+    const ContactForce force = contact_force(laws, point, now, damping, root_mass, elapsed, springs);
+    if constexpr (turning) {
+      this->twist(meet, arms, meet.normal.cross(force.friction));
+      if (laws.rolling.present())
+        this->resist_rolling(laws, meet, arms, point, force.normal, elapsed, springs);
+    }
+    this->log_.contact(laws, meet, arms, point, force, springs);
+    keep(laws, meet, arms, point, springs);
+    return force.normal * meet.normal + force.friction;
+  }
+
+  void refine(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
+              ContactResponse& now) const {
+    const double stiffness = laws.hertz.present() ? 1.5 * now.push / point.overlap : laws.normal.stiffness;
+    now.damping *= refined_share(stiffness, now.damping, point.effective_mass, now_.step);
+    if (laws.spring.present())
+      now.shear.damping *=
+          refined_share(now.shear.stiffness, now.shear.damping, sliding_mass(meet, arms), now_.step);
+  }
+
+  /// What resists a change of the slip, kg: the bodies' turning helps it along.
+  double sliding_mass(const Encounter& meet, const TorqueArms& arms) const {
+    double inverse = share_of(meet.second, arms.second);
+    if (!meet.with_wall()) inverse += share_of(meet.first, arms.first);
+    return 1.0 / inverse;
+  }
+
+  double share_of(std::int32_t i, double arm) const {
+    const double inverse_mass = this->bodies_.body[i].inverse_mass;
+    if constexpr (!turning) return inverse_mass;
+    return inverse_mass + arm * arm * this->bodies_.spin[i].inverse_inertia;
+  }
+
+  static Vec3 slip_at(const ContactPoint& point) {
+    return point.relative_velocity - point.relative_velocity.dot(point.normal) * point.normal;
+  }
+
+  /// With the second half of the stretch.
+  void keep(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
+            ContactSprings& springs) {
+    if (laws.spring.present()) springs.displacement += slip_at(point) * (0.5 * now_.step);
+    if constexpr (turning)
+      if (laws.rolling.spring)
+        wind(laws, point, this->rolling_spin(laws, meet, arms), 0.5 * now_.step, springs);
+    if (corrects || laws.remembers()) this->history_.keep(this->memory_key(meet), meet.second, springs);
+  }
+
+  /// Of body 2 over body 1 where they touch, in the middle of the step.
+  Vec3 half_step_velocity(const Encounter& meet, const TorqueArms& arms) const {
+    const Bodies& bodies = this->bodies_;
+    const Vec3 of_first = meet.with_wall() ? meet.wall_velocity : bodies.half_velocity[meet.first];
+    Vec3 velocity = bodies.half_velocity[meet.second] - of_first;
+    if constexpr (turning) {
+      Vec3 sweep = arms.second * bodies.half_spin[meet.second];
+      if (!meet.with_wall()) sweep += arms.first * bodies.half_spin[meet.first];
+      velocity -= sweep.cross(meet.normal);
+    }
+    return velocity;
+  }
+
+  Vec3 begin(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, ContactPoint point) {
+    const Vec3 slip = slip_at(point);
+    const double rate = -half_step_velocity(meet, arms).dot(meet.normal);
+    const auto [state, push] = beginning(laws, {meet.overlap, rate}, point.effective_mass, now_.step);
+    point.overlap = state.overlap;
+    point.relative_velocity = slip - state.rate * meet.normal;
+    ContactSprings springs{.displacement = slip * push.lasted};
+    const ContactForce force = contact_force(laws, point, 0.0, springs);
+    const Vec3 rub = friction_impulse(laws, point, slip, Vec3::Zero(), push);
+    const double half = 0.5 * now_.step;
+    OnsetEvent event{meet, arms, (push.impulse - half * force.normal) * meet.normal,
+                     rub - half * force.friction, push.moment * meet.normal + (0.5 * push.lasted) * rub};
+    if constexpr (turning) {
+      this->twist(meet, arms, meet.normal.cross(force.friction));
+      // Grows from nothing with the overlap or the turn.
+      if (laws.rolling.present())
+        event.resist = (0.5 * push.lasted - half) *
+                       this->resist_rolling(laws, meet, arms, point, force.normal, push.lasted, springs);
+    }
+    events_.add(event);
+    this->log_.contact(laws, meet, arms, point, force, springs);
+    keep(laws, meet, arms, point, springs);
+    return force.normal * meet.normal + force.friction;
+  }
+
+  BeforeParting before_parting(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                               double effective_mass) const;
+  Vec3 resist_to_the_end(const PairLaws& laws, const ContactPoint& point, const Vec3& rolling,
+                         const ContactForce& force, const PartialPush& push, ContactSprings springs) const;
+
+  const BoundaryStep& now_;
+  OnsetEvents& events_;
+};
+
+}  // namespace grainproof::reference
