@@ -114,7 +114,11 @@ void ReferenceRun::add_contacts(double elapsed, ForceLog* log) {
 }
 
 void ReferenceRun::correct_onsets() {
-  for (const OnsetEvent& event : events_) correct(bodies_, box_, event);
+  for (const OnsetEvent& event : events_) {
+    if (ledger_) ledger_->half_of(event, bodies_, walls_);
+    correct(bodies_, box_, event);
+    if (ledger_) ledger_->half_of(event, bodies_, walls_);
+  }
   events_.clear();
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reference_cpu/onset/boundary_step.hpp"
 
+#include <type_traits>
+
 #include "reference_cpu/contact_loops.hpp"
 #include "reference_cpu/onset/parting.hpp"
 
@@ -63,20 +65,20 @@ void add_forces(const Scope& scope, Log& log) {
       for (const ContactHistory::Memory& memory : scope.history.parted()) end_contact(scope, memory, touch);
 }
 
-template <bool turning, bool cohesive, class Log>
+/// Cohesion is left out only where that is worth a loop of its own.
+template <bool turning, class Log>
 void add_as_corrected(const Scope& scope, Log& log) {
-  scope.now.corrects ? add_forces<turning, cohesive, true>(scope, log)
-                     : add_forces<turning, cohesive, false>(scope, log);
+  if (!scope.now.corrects)
+    add_forces<turning, true, false>(scope, log);
+  else if (scope.setting.cohesion || std::is_same_v<Log, ForceLog>)
+    add_forces<turning, true, true>(scope, log);
+  else if constexpr (std::is_same_v<Log, NoLog>)
+    add_forces<turning, false, true>(scope, log);
 }
 
 template <class Log>
 void add_any_forces(const Scope& scope, Log& log) {
-  if (scope.bodies.turning())
-    scope.setting.cohesion ? add_as_corrected<true, true>(scope, log)
-                           : add_as_corrected<true, false>(scope, log);
-  else
-    scope.setting.cohesion ? add_as_corrected<false, true>(scope, log)
-                           : add_as_corrected<false, false>(scope, log);
+  scope.bodies.turning() ? add_as_corrected<true>(scope, log) : add_as_corrected<false>(scope, log);
 }
 
 }  // namespace

@@ -70,17 +70,34 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     ContactResponse now = response(laws, point, root_mass);
     const double damping = now.damping;
     if constexpr (corrects) refine(laws, meet, arms, point, now);
-    const double elapsed = this->history_.elapsed();
+    double elapsed = this->history_.elapsed();
+    if constexpr (corrects)
+      if (now_.started && may_let_go(laws, point, now)) elapsed = pass_zero(laws, meet, arms, point, springs);
     const ContactForce force = contact_force(laws, point, now, damping, root_mass, elapsed, springs);
     if constexpr (turning) {
       this->twist(meet, arms, meet.normal.cross(force.friction));
       if (laws.rolling.present())
-        this->resist_rolling(laws, meet, arms, point, force.normal, elapsed, springs);
+        this->resist_rolling(laws, meet, arms, point, force.normal, this->history_.elapsed(), springs);
     }
     this->log_.contact(laws, meet, arms, point, force, springs);
     keep(laws, meet, arms, point, springs);
     return force.normal * meet.normal + force.friction;
   }
+
+  /// Whether the normal force can have changed its sign within the step, and that matters.
+  bool may_let_go(const PairLaws& laws, const ContactPoint& point, const ContactResponse& now) const {
+    if (!laws.spring.present() && !laws.normal.no_tension) return false;
+    const double rate = -point.relative_velocity.dot(point.normal);
+    const double force = now.push + now.damping * rate;
+    const double change = now_.step * (2.0 * now.push / point.overlap * std::abs(rate) +
+                                       now.damping * std::abs(force) / point.effective_mass);
+    return std::abs(force) < 2.0 * change;
+  }
+
+  /// Where the normal force passes zero a spring is cut back to nothing, and a contact that cannot pull has
+  /// acted for a part of the step. For how long the spring is stretched since, s.
+  [[gnu::noinline]] double pass_zero(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                                     const ContactPoint& point, ContactSprings& springs);
 
   void refine(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
               ContactResponse& now) const {
@@ -131,15 +148,18 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     return velocity;
   }
 
-  Vec3 begin(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, ContactPoint point) {
+  /// Rare, and kept out of the loops that are flattened.
+  [[gnu::noinline]] Vec3 begin(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                               ContactPoint point) {
     const Vec3 slip = slip_at(point);
     const double rate = -half_step_velocity(meet, arms).dot(meet.normal);
-    const auto [state, push] = beginning(laws, {meet.overlap, rate}, point.effective_mass, now_.step);
+    const auto [state, push] = PartialContact(laws, point, now_.step).beginning({meet.overlap, rate});
     point.overlap = state.overlap;
     point.relative_velocity = slip - state.rate * meet.normal;
     ContactSprings springs{.displacement = slip * push.lasted};
     const ContactForce force = contact_force(laws, point, 0.0, springs);
-    const Vec3 rub = friction_impulse(laws, point, slip, Vec3::Zero(), push);
+    const ShearShare share = laws.hertz.present() ? hertz_shear_of_a_beginning : ShearShare{};
+    const Vec3 rub = friction_impulse(laws, point, slip, Vec3::Zero(), push, share);
     const double half = 0.5 * now_.step;
     OnsetEvent event{meet, arms, (push.impulse - half * force.normal) * meet.normal,
                      rub - half * force.friction, push.moment * meet.normal + (0.5 * push.lasted) * rub};
@@ -156,6 +176,8 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     return force.normal * meet.normal + force.friction;
   }
 
+  void add_ending(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                  const BeforeParting& before, ContactSprings springs);
   BeforeParting before_parting(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
                                double effective_mass) const;
   Vec3 resist_to_the_end(const PairLaws& laws, const ContactPoint& point, const Vec3& rolling,

@@ -35,20 +35,62 @@ void BoundaryTouch<turning, is_cohesive, corrects, Log>::end(const PairLaws& law
                                                              double effective_mass, ContactSprings springs) {
   TorqueArms arms;
   if constexpr (turning) arms = this->arms_of(laws, meet);
-  const auto [point, slip, rolling] = before_parting(laws, meet, arms, effective_mass);
+  const BeforeParting before = before_parting(laws, meet, arms, effective_mass);
+  if (laws.spring.present()) springs.displacement -= before.slip * (0.5 * now_.step);
+  if (laws.rolling.spring) wind(laws, before.point, before.rolling, -0.5 * now_.step, springs);
+  add_ending(laws, meet, arms, before, springs);
+}
+
+template <bool turning, bool is_cohesive, bool corrects, class Log>
+void BoundaryTouch<turning, is_cohesive, corrects, Log>::add_ending(const PairLaws& laws,
+                                                                    const Encounter& meet,
+                                                                    const TorqueArms& arms,
+                                                                    const BeforeParting& before,
+                                                                    ContactSprings springs) {
+  const ContactPoint& point = before.point;
   const double step = now_.step, half = 0.5 * step;
-  if (laws.spring.present()) springs.displacement -= slip * half;
-  if (laws.rolling.spring) wind(laws, point, rolling, -half, springs);
   const double rate = -point.relative_velocity.dot(point.normal);
-  const PartialPush push = ending(laws, {point.overlap, rate}, effective_mass, step);
-  const Vec3 rub = friction_impulse(laws, point, slip, springs.displacement, push);
+  const PartialContact contact(laws, point, step);
+  if (laws.normal.no_tension && contact.force_at({point.overlap, rate}) <= 0.0) return;
+  const PartialPush push = contact.ending({point.overlap, rate});
+  const ShearShare share = laws.hertz.present() ? hertz_shear_of_an_ending : ShearShare{};
+  const Vec3 rub = friction_impulse(laws, point, before.slip, springs.displacement, push, share);
   const ContactForce force = contact_force(laws, point, 0.0, springs);
   OnsetEvent event{meet, arms, (push.impulse - half * force.normal) * meet.normal,
                    rub - half * force.friction,
                    (push.moment - step * half * force.normal) * meet.normal +
                        (step - 0.5 * push.lasted) * rub - (step * half) * force.friction};
-  if (laws.rolling.present()) event.resist = resist_to_the_end(laws, point, rolling, force, push, springs);
+  if (laws.rolling.present())
+    event.resist = resist_to_the_end(laws, point, before.rolling, force, push, springs);
   events_.add(event);
+}
+
+template <bool turning, bool is_cohesive, bool corrects, class Log>
+double BoundaryTouch<turning, is_cohesive, corrects, Log>::pass_zero(const PairLaws& laws,
+                                                                     const Encounter& meet,
+                                                                     const TorqueArms& arms,
+                                                                     const ContactPoint& point,
+                                                                     ContactSprings& springs) {
+  const double usual = this->history_.elapsed();
+  const BeforeParting before = before_parting(laws, meet, arms, point.effective_mass);
+  const auto force_of = [&](const ContactPoint& at) {
+    return PartialContact(laws, at, now_.step).force_at({at.overlap, -at.relative_velocity.dot(at.normal)});
+  };
+  const double then = force_of(before.point), now = force_of(point);
+  if ((then > 0.0) == (now > 0.0)) return usual;
+  if (laws.normal.no_tension && then > 0.0) {
+    ContactSprings left = springs;
+    if (laws.spring.present()) left.displacement -= before.slip * (0.5 * now_.step);
+    if (laws.rolling.spring) wind(laws, before.point, before.rolling, -0.5 * now_.step, left);
+    add_ending(laws, meet, arms, before, left);
+  }
+  if (!laws.spring.present()) return usual;
+  springs.displacement.setZero();
+  if (laws.spring.limit == CoulombLimit::spring_and_dashpot) {
+    const ShearResponse shear = response(laws, point, std::sqrt(point.effective_mass)).shear;
+    springs.displacement = slip_at(point) * (-shear.damping / shear.stiffness);
+  }
+  return now_.step * now / (now - then);
 }
 
 /// What is left of rolling resistance, less what the plain scheme has taken of it. A constant torque falls

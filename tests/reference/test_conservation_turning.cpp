@@ -67,7 +67,8 @@ void expect_conserved(const Scene& scene) {
 
 // The trapezoidal Euler steps keep it up to their error only: x' × v' has (v × a) h²/2 too much.
 TEST(TurningGas, KeepsMomentumAndAngularMomentumToRoundOff) {
-  for (const Integrator integrator : {Integrator::velocity_verlet, Integrator::leapfrog_verlet})
+  for (const Integrator integrator : {Integrator::velocity_verlet, Integrator::leapfrog_verlet,
+                                      Integrator::velocity_verlet_predicted, Integrator::onset_corrected})
     for (const RollingLaw& rolling :
          {RollingLaw{NoRolling{}}, RollingLaw{ConstantTorqueRolling{0.1}}, RollingLaw{SpringRolling{0.1}}})
       expect_conserved(free_gas(integrator, rolling));
