@@ -148,18 +148,31 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     return velocity;
   }
 
+  /// Bodies may slide from the very touch on, at which a dashpot pushes already: the spring is then what
+  /// makes it and its own dashpot add up to the limit. A Hertz contact has no dashpot there.
+  static Vec3 spring_at_touch(const PairLaws& laws, const ContactPoint& point, const Vec3& slip,
+                              double rate) {
+    Vec3 spring = Vec3::Zero();
+    if (!laws.spring.present() || laws.hertz.present()) return spring;
+    const ContactResponse now = response(laws, point, std::sqrt(point.effective_mass));
+    laws.spring.force(spring, slip, now.damping * rate, now.shear);
+    return spring;
+  }
+
   /// Rare, and kept out of the loops that are flattened.
   [[gnu::noinline]] Vec3 begin(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
                                ContactPoint point) {
     const Vec3 slip = slip_at(point);
     const double rate = -half_step_velocity(meet, arms).dot(meet.normal);
     const auto [state, push] = PartialContact(laws, point, now_.step).beginning({meet.overlap, rate});
+    const Vec3 spring = spring_at_touch(laws, point, slip, meet.overlap / push.lasted);
     point.overlap = state.overlap;
-    point.relative_velocity = slip - state.rate * meet.normal;
-    ContactSprings springs{.displacement = slip * push.lasted};
-    const ContactForce force = contact_force(laws, point, 0.0, springs);
     const ShearShare share = laws.hertz.present() ? hertz_shear_of_a_beginning : ShearShare{};
-    const Vec3 rub = friction_impulse(laws, point, slip, Vec3::Zero(), push, share);
+    const Vec3 rub = friction_impulse(laws, point, slip, spring, push, share);
+    const Vec3 slip_now = slip + rub / sliding_mass(meet, arms);
+    point.relative_velocity = slip_now - state.rate * meet.normal;
+    ContactSprings springs{.displacement = spring + (slip + slip_now) * (0.5 * push.lasted)};
+    const ContactForce force = contact_force(laws, point, 0.0, springs);
     const double half = 0.5 * now_.step;
     OnsetEvent event{meet, arms, (push.impulse - half * force.normal) * meet.normal,
                      rub - half * force.friction, push.moment * meet.normal + (0.5 * push.lasted) * rub};

@@ -11,10 +11,11 @@ namespace {
 
 constexpr double spring_impulse = 2.0 / 5.0, dashpot_impulse = 4.0 / 5.0;
 
-/// Impulse of a dashpot that has grown to `force` over `lasted`, with all that whole steps will miss.
-double whole_impulse(double force, double lasted, double step) {
+/// Impulse of a force that has grown to `force` over `lasted` as that power of time, with all that whole
+/// steps will miss.
+double whole_impulse(double force, double power, double lasted, double step) {
   const double steps = lasted / step;
-  return step * force * (0.5 - hurwitz(0.25, steps) / std::pow(steps, 0.25));
+  return step * force * (0.5 - hurwitz(power, steps) / std::pow(steps, power));
 }
 
 }  // namespace
@@ -27,7 +28,8 @@ Beginning PartialContact::hertz_beginning(const NormalState& reached, double las
   const double moment =
       lasted * lasted * (spring_impulse * 2.0 / 7.0 * full.push + dashpot_impulse * 4.0 / 9.0 * dashpot);
   const NormalState end{reached.overlap - moment / mass, rate - impulse / mass};
-  const double all = lasted * spring_impulse * full.push + whole_impulse(dashpot, lasted, step_);
+  const double all =
+      whole_impulse(full.push, 1.5, lasted, step_) + whole_impulse(dashpot, 0.25, lasted, step_);
   return {end, {lasted, all, moment, std::abs(impulse) / lasted}};
 }
 
@@ -38,12 +40,12 @@ PartialPush PartialContact::hertz_ending(const NormalState& left) const {
   const double lasted = left.overlap / -left.rate;
   const ContactResponse full = response_at(left);
   const double dashpot = full.damping * left.rate;
-  const double spring = lasted * spring_impulse * full.push;
-  const double impulse = spring + lasted * dashpot_impulse * dashpot;
+  const double impulse = lasted * (spring_impulse * full.push + dashpot_impulse * dashpot);
   const double moment = lasted * lasted * (2.0 / 7.0 * full.push + 4.0 / 9.0 * dashpot);
   const double magnitude = std::abs(impulse) / lasted;
-  return {lasted, spring + whole_impulse(dashpot, lasted, step_), (step_ - lasted) * impulse + moment,
-          magnitude};
+  const double all =
+      whole_impulse(full.push, 1.5, lasted, step_) + whole_impulse(dashpot, 0.25, lasted, step_);
+  return {lasted, all, (step_ - lasted) * impulse + moment, magnitude};
 }
 
 }  // namespace grainproof::reference
