@@ -76,7 +76,7 @@ void ReferenceRun::take_step() {
 
 void ReferenceRun::find_neighbours() {
   if (!neighbours_.outdated(bodies_)) return;
-  space_order_.before_list(neighbours_, bodies_, history_);
+  space_order_.before_list(neighbours_, bodies_, history_, touching_);
   neighbours_.list(bodies_);
 }
 
@@ -105,8 +105,9 @@ void ReferenceRun::add_contacts(double elapsed, ForceLog* log) {
   const bool corrects = scene_.run.integrator == Integrator::onset_corrected;
   if (corrects || (bodies_.predicts() && !simple_)) {
     history_.begin(0.5 * elapsed);
+    touching_.begin();
     add_boundary_forces(setting, {scene_.run.step, elapsed > 0.0, corrects}, neighbours_, bodies_, history_,
-                        watch_, log, events_);
+                        touching_, watch_, log, events_);
   } else {
     history_.begin(elapsed);
     add_contact_forces(setting, neighbours_, bodies_, history_, watch_, log);

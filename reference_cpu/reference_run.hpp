@@ -56,6 +56,7 @@ class ReferenceRun : public Run {
   SpaceOrder space_order_;
   ContactHistory history_;
   OnsetEvents events_;
+  Touching touching_;
   Watch watch_;
   std::optional<LedgerKeeper> ledger_;
   std::int64_t step_ = 0;

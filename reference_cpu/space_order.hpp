@@ -7,6 +7,7 @@
 #include "reference_cpu/bodies.hpp"
 #include "reference_cpu/contact_history.hpp"
 #include "reference_cpu/neighbours/neighbours.hpp"
+#include "reference_cpu/onset/touching.hpp"
 
 namespace grainproof::reference {
 
@@ -18,7 +19,7 @@ class SpaceOrder {
   explicit SpaceOrder(const Scene& scene);
 
   /// To be called before a list is made. Whoever kept an index is told by the bodies' `origin`.
-  void before_list(Neighbours& neighbours, Bodies& bodies, ContactHistory& history);
+  void before_list(Neighbours& neighbours, Bodies& bodies, ContactHistory& history, Touching& touching);
 
  private:
   bool sorts_;

@@ -17,6 +17,7 @@ struct Scope {
   const Neighbours& neighbours;
   Bodies& bodies;
   ContactHistory& history;
+  Touching& touching;
   Watch& watch;
   OnsetEvents& events;
 };
@@ -39,41 +40,54 @@ Encounter wall_now(const Scope& scope, std::int32_t wall, std::int32_t i) {
   return meet;
 }
 
-template <class Touch>
-void end_contact(const Scope& scope, const ContactHistory::Memory& memory, Touch& touch) {
+const ContactSprings& springs_of(const ContactHistory::Memory& memory) {
+  return memory.springs;
+}
+
+ContactSprings springs_of(const Touching::Memory&) {
+  return {};
+}
+
+template <class Memory, class Touch>
+void end_contact(const Scope& scope, const Memory& memory, Touch& touch) {
   const Bodies& bodies = scope.bodies;
   const auto particles = static_cast<std::int32_t>(bodies.size());
   const std::int32_t j = memory.second, wall = memory.first - particles;
   if (wall >= 0) {
     const PairLaws& laws = scope.setting.laws.at(scope.setting.walls[wall].material, bodies.material[j]);
-    touch.end(laws, wall_now(scope, wall, j), 1.0 / bodies.body[j].inverse_mass, memory.springs);
+    touch.end(laws, wall_now(scope, wall, j), 1.0 / bodies.body[j].inverse_mass, springs_of(memory));
     return;
   }
   const std::int32_t i = memory.first;
   const double effective_mass = 1.0 / (bodies.body[i].inverse_mass + bodies.body[j].inverse_mass);
   const PairLaws& laws = scope.setting.laws.at(bodies.material[i], bodies.material[j]);
-  touch.end(laws, pair_now(scope, i, j), effective_mass, memory.springs);
+  touch.end(laws, pair_now(scope, i, j), effective_mass, springs_of(memory));
 }
 
-template <bool turning, bool cohesive, bool corrects, class Log>
-void add_forces(const Scope& scope, Log& log) {
-  using Touch = BoundaryTouch<turning, cohesive, corrects, Log>;
-  Touch touch(scope.setting.walls, scope.bodies, scope.history, log, scope.now, scope.events);
+template <bool turning, bool cohesive, bool corrects, class Memory, class Log>
+void add_forces(const Scope& scope, Memory& memory, Log& log) {
+  using Touch = BoundaryTouch<turning, cohesive, corrects, Memory, Log>;
+  Touch touch(scope.setting.walls, scope.bodies, scope.history, memory, log, scope.now, scope.events);
   add_forces_by(scope.setting, scope.neighbours, scope.bodies, scope.watch, touch, log);
   if constexpr (corrects)
     if (scope.now.started)
-      for (const ContactHistory::Memory& memory : scope.history.parted()) end_contact(scope, memory, touch);
+      for (const auto& parted : memory.parted()) end_contact(scope, parted, touch);
 }
 
 /// Cohesion is left out only where that is worth a loop of its own.
+template <bool turning, class Memory, class Log>
+void add_corrected(const Scope& scope, Memory& memory, Log& log) {
+  if constexpr (std::is_same_v<Log, NoLog>)
+    if (!scope.setting.cohesion) return add_forces<turning, false, true>(scope, memory, log);
+  add_forces<turning, true, true>(scope, memory, log);
+}
+
 template <bool turning, class Log>
 void add_as_corrected(const Scope& scope, Log& log) {
-  if (!scope.now.corrects)
-    add_forces<turning, true, false>(scope, log);
-  else if (scope.setting.cohesion || std::is_same_v<Log, ForceLog>)
-    add_forces<turning, true, true>(scope, log);
-  else if constexpr (std::is_same_v<Log, NoLog>)
-    add_forces<turning, false, true>(scope, log);
+  if (!scope.now.corrects) return add_forces<turning, true, false>(scope, scope.history, log);
+  if constexpr (!turning)
+    if (scope.setting.simple) return add_corrected<turning>(scope, scope.touching, log);
+  add_corrected<turning>(scope, scope.history, log);
 }
 
 template <class Log>
@@ -84,9 +98,9 @@ void add_any_forces(const Scope& scope, Log& log) {
 }  // namespace
 
 void add_boundary_forces(const ContactSetting& setting, const BoundaryStep& now, const Neighbours& neighbours,
-                         Bodies& bodies, ContactHistory& history, Watch& watch, ForceLog* log,
-                         OnsetEvents& events) {
-  const Scope scope{setting, now, neighbours, bodies, history, watch, events};
+                         Bodies& bodies, ContactHistory& history, Touching& touching, Watch& watch,
+                         ForceLog* log, OnsetEvents& events) {
+  const Scope scope{setting, now, neighbours, bodies, history, touching, watch, events};
   NoLog none;
   log ? add_any_forces(scope, *log) : add_any_forces(scope, none);
 }

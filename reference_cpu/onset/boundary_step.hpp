@@ -3,6 +3,7 @@
 #pragma once
 #include "reference_cpu/contacts.hpp"
 #include "reference_cpu/onset/events.hpp"
+#include "reference_cpu/onset/touching.hpp"
 
 namespace grainproof::reference {
 
@@ -15,9 +16,10 @@ struct BoundaryStep {
 
 /// As add_contact_forces(). Springs are stretched by half a step before and by half a step after their
 /// forces, which makes a trapezoid of two evaluations; the history has been begun with the half before. What
-/// began or ended is added to `events`.
+/// began or ended is added to `events`. Where all laws are simple, `touching` is used in place of the
+/// history.
 void add_boundary_forces(const ContactSetting& setting, const BoundaryStep& now, const Neighbours& neighbours,
-                         Bodies& bodies, ContactHistory& history, Watch& watch, ForceLog* log,
-                         OnsetEvents& events);
+                         Bodies& bodies, ContactHistory& history, Touching& touching, Watch& watch,
+                         ForceLog* log, OnsetEvents& events);
 
 }  // namespace grainproof::reference

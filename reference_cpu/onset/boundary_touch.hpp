@@ -9,8 +9,8 @@ namespace grainproof::reference {
 
 /// Share of the predicted velocity that a dashpot sees, once the spring beside it has had its say:
 /// (1 + c)/(1 + c + κ) (docs/laws/integrators.md).
-inline double refined_share(double stiffness, double damping, double mass, double step) {
-  const double twice = step / (2.0 * mass);
+inline double refined_share(double stiffness, double damping, double inverse_mass, double step) {
+  const double twice = 0.5 * step * inverse_mass;
   const double with_damping = 1.0 + twice * damping;
   return with_damping / (with_damping + twice * step * stiffness);
 }
@@ -23,17 +23,18 @@ struct BeforeParting {
 };
 
 /// Any laws, evaluated with the velocities predicted for the step boundary. With `corrects`, contacts that
-/// begin act for the time they have lasted, and all are remembered.
-template <bool turning, bool is_cohesive, bool corrects, class Log>
+/// begin act for the time they have lasted, and all are remembered: by the history, or where no law keeps
+/// anything by the mere fact that they touch.
+template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
 class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   using Base = AnyTouch<turning, is_cohesive, Log>;
 
  public:
   static constexpr bool cohesive = is_cohesive;
 
-  BoundaryTouch(const Walls& walls, Bodies& bodies, ContactHistory& history, Log& log,
+  BoundaryTouch(const Walls& walls, Bodies& bodies, ContactHistory& history, Memory& memory, Log& log,
                 const BoundaryStep& now, OnsetEvents& events)
-      : Base(walls, bodies, history, log), now_(now), events_(events) {}
+      : Base(walls, bodies, history, log), memory_(memory), now_(now), events_(events) {}
 
   Vec3 force_on_second(const PairLaws& laws, const Encounter& meet, const Vec3& relative_velocity,
                        double effective_mass) {
@@ -58,7 +59,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     }
     if constexpr (!corrects)
       if (!laws.remembers()) return last(laws, meet, arms, point, {});
-    const ContactSprings* kept = this->history_.meet(this->memory_key(meet), meet.second);
+    const ContactSprings* kept = memory_.meet(this->memory_key(meet), meet.second);
     if constexpr (corrects)
       if (!kept && now_.started) return begin(laws, meet, arms, point);
     return last(laws, meet, arms, point, kept ? *kept : ContactSprings{});
@@ -72,7 +73,8 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     if constexpr (corrects) refine(laws, meet, arms, point, now);
     double elapsed = this->history_.elapsed();
     if constexpr (corrects)
-      if (now_.started && may_let_go(laws, point, now)) elapsed = pass_zero(laws, meet, arms, point, springs);
+      if (now_.started && may_let_go(laws, meet, point, now))
+        elapsed = pass_zero(laws, meet, arms, point, springs);
     const ContactForce force = contact_force(laws, point, now, damping, root_mass, elapsed, springs);
     if constexpr (turning) {
       this->twist(meet, arms, meet.normal.cross(force.friction));
@@ -85,12 +87,13 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   }
 
   /// Whether the normal force can have changed its sign within the step, and that matters.
-  bool may_let_go(const PairLaws& laws, const ContactPoint& point, const ContactResponse& now) const {
+  bool may_let_go(const PairLaws& laws, const Encounter& meet, const ContactPoint& point,
+                  const ContactResponse& now) const {
     if (!laws.spring.present() && !laws.normal.no_tension) return false;
     const double rate = -point.relative_velocity.dot(point.normal);
     const double force = now.push + now.damping * rate;
-    const double change = now_.step * (2.0 * now.push / point.overlap * std::abs(rate) +
-                                       now.damping * std::abs(force) / point.effective_mass);
+    const double change = now_.step * (2.0 * stiffness_now(laws, point, now) * std::abs(rate) +
+                                       now.damping * std::abs(force) * inverse_mass(meet));
     return std::abs(force) < 2.0 * change;
   }
 
@@ -99,26 +102,32 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   [[gnu::noinline]] double pass_zero(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
                                      const ContactPoint& point, ContactSprings& springs);
 
+  static double stiffness_now(const PairLaws& laws, const ContactPoint& point, const ContactResponse& now) {
+    return laws.hertz.present() ? 1.5 * now.push / point.overlap : laws.normal.stiffness;
+  }
+
   void refine(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
               ContactResponse& now) const {
-    const double stiffness = laws.hertz.present() ? 1.5 * now.push / point.overlap : laws.normal.stiffness;
-    now.damping *= refined_share(stiffness, now.damping, point.effective_mass, now_.step);
+    now.damping *= refined_share(stiffness_now(laws, point, now), now.damping, inverse_mass(meet), now_.step);
     if (laws.spring.present())
       now.shear.damping *=
-          refined_share(now.shear.stiffness, now.shear.damping, sliding_mass(meet, arms), now_.step);
+          refined_share(now.shear.stiffness, now.shear.damping, inverse_sliding_mass(meet, arms), now_.step);
   }
 
-  /// What resists a change of the slip, kg: the bodies' turning helps it along.
-  double sliding_mass(const Encounter& meet, const TorqueArms& arms) const {
-    double inverse = share_of(meet.second, arms.second);
-    if (!meet.with_wall()) inverse += share_of(meet.first, arms.first);
-    return 1.0 / inverse;
+  double inverse_mass(const Encounter& meet) const {
+    const double of_second = this->bodies_.body[meet.second].inverse_mass;
+    return meet.with_wall() ? of_second : of_second + this->bodies_.body[meet.first].inverse_mass;
   }
 
-  double share_of(std::int32_t i, double arm) const {
-    const double inverse_mass = this->bodies_.body[i].inverse_mass;
-    if constexpr (!turning) return inverse_mass;
-    return inverse_mass + arm * arm * this->bodies_.spin[i].inverse_inertia;
+  /// The inverse of what resists a change of the slip, 1/kg: the bodies' turning helps it along.
+  double inverse_sliding_mass(const Encounter& meet, const TorqueArms& arms) const {
+    double inverse = inverse_mass(meet);
+    if constexpr (turning) {
+      inverse += arms.second * arms.second * this->bodies_.spin[meet.second].inverse_inertia;
+      if (!meet.with_wall())
+        inverse += arms.first * arms.first * this->bodies_.spin[meet.first].inverse_inertia;
+    }
+    return inverse;
   }
 
   static Vec3 slip_at(const ContactPoint& point) {
@@ -132,7 +141,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     if constexpr (turning)
       if (laws.rolling.spring)
         wind(laws, point, this->rolling_spin(laws, meet, arms), 0.5 * now_.step, springs);
-    if (corrects || laws.remembers()) this->history_.keep(this->memory_key(meet), meet.second, springs);
+    if (corrects || laws.remembers()) memory_.keep(this->memory_key(meet), meet.second, springs);
   }
 
   /// Of body 2 over body 1 where they touch, in the middle of the step.
@@ -169,7 +178,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     point.overlap = state.overlap;
     const ShearShare share = laws.hertz.present() ? hertz_shear_of_a_beginning : ShearShare{};
     const Vec3 rub = friction_impulse(laws, point, slip, spring, push, share);
-    const Vec3 slip_now = slip + rub / sliding_mass(meet, arms);
+    const Vec3 slip_now = slip + rub * inverse_sliding_mass(meet, arms);
     point.relative_velocity = slip_now - state.rate * meet.normal;
     ContactSprings springs{.displacement = spring + (slip + slip_now) * (0.5 * push.lasted)};
     const ContactForce force = contact_force(laws, point, 0.0, springs);
@@ -196,6 +205,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   Vec3 resist_to_the_end(const PairLaws& laws, const ContactPoint& point, const Vec3& rolling,
                          const ContactForce& force, const PartialPush& push, ContactSprings springs) const;
 
+  Memory& memory_;
   const BoundaryStep& now_;
   OnsetEvents& events_;
 };

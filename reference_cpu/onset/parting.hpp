@@ -6,8 +6,8 @@
 namespace grainproof::reference {
 
 // The velocities before the step are twice those in its middle less those predicted for its end.
-template <bool turning, bool is_cohesive, bool corrects, class Log>
-BeforeParting BoundaryTouch<turning, is_cohesive, corrects, Log>::before_parting(
+template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
+BeforeParting BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::before_parting(
     const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, double effective_mass) const {
   const Bodies& bodies = this->bodies_;
   const Vec3 half = half_step_velocity(meet, arms);
@@ -30,9 +30,11 @@ BeforeParting BoundaryTouch<turning, is_cohesive, corrects, Log>::before_parting
   return {point, slip_at(point), rolling};
 }
 
-template <bool turning, bool is_cohesive, bool corrects, class Log>
-void BoundaryTouch<turning, is_cohesive, corrects, Log>::end(const PairLaws& laws, const Encounter& meet,
-                                                             double effective_mass, ContactSprings springs) {
+template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
+void BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::end(const PairLaws& laws,
+                                                                     const Encounter& meet,
+                                                                     double effective_mass,
+                                                                     ContactSprings springs) {
   TorqueArms arms;
   if constexpr (turning) arms = this->arms_of(laws, meet);
   const BeforeParting before = before_parting(laws, meet, arms, effective_mass);
@@ -41,12 +43,12 @@ void BoundaryTouch<turning, is_cohesive, corrects, Log>::end(const PairLaws& law
   add_ending(laws, meet, arms, before, springs);
 }
 
-template <bool turning, bool is_cohesive, bool corrects, class Log>
-void BoundaryTouch<turning, is_cohesive, corrects, Log>::add_ending(const PairLaws& laws,
-                                                                    const Encounter& meet,
-                                                                    const TorqueArms& arms,
-                                                                    const BeforeParting& before,
-                                                                    ContactSprings springs) {
+template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
+void BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::add_ending(const PairLaws& laws,
+                                                                            const Encounter& meet,
+                                                                            const TorqueArms& arms,
+                                                                            const BeforeParting& before,
+                                                                            ContactSprings springs) {
   const ContactPoint& point = before.point;
   const double step = now_.step, half = 0.5 * step;
   const double rate = -point.relative_velocity.dot(point.normal);
@@ -65,12 +67,12 @@ void BoundaryTouch<turning, is_cohesive, corrects, Log>::add_ending(const PairLa
   events_.add(event);
 }
 
-template <bool turning, bool is_cohesive, bool corrects, class Log>
-double BoundaryTouch<turning, is_cohesive, corrects, Log>::pass_zero(const PairLaws& laws,
-                                                                     const Encounter& meet,
-                                                                     const TorqueArms& arms,
-                                                                     const ContactPoint& point,
-                                                                     ContactSprings& springs) {
+template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
+double BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::pass_zero(const PairLaws& laws,
+                                                                             const Encounter& meet,
+                                                                             const TorqueArms& arms,
+                                                                             const ContactPoint& point,
+                                                                             ContactSprings& springs) {
   const double usual = this->history_.elapsed();
   const BeforeParting before = before_parting(laws, meet, arms, point.effective_mass);
   const auto force_of = [&](const ContactPoint& at) {
@@ -95,8 +97,8 @@ double BoundaryTouch<turning, is_cohesive, corrects, Log>::pass_zero(const PairL
 
 /// What is left of rolling resistance, less what the plain scheme has taken of it. A constant torque falls
 /// with the overlap, a spring's does not.
-template <bool turning, bool is_cohesive, bool corrects, class Log>
-Vec3 BoundaryTouch<turning, is_cohesive, corrects, Log>::resist_to_the_end(
+template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
+Vec3 BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::resist_to_the_end(
     const PairLaws& laws, const ContactPoint& point, const Vec3& rolling, const ContactForce& force,
     const PartialPush& push, ContactSprings springs) const {
   const Vec3 plain = rolling_torque(laws, point, rolling, force.normal, 0.0, springs);
