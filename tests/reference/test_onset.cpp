@@ -196,12 +196,21 @@ double oblique_error(Integrator integrator, double restitution, double coefficie
   return rms.value();
 }
 
+// Four octaves. Velocity Verlet has 1.8e-4 at 512 with 0.8.
 TEST(Onset, ObliqueCollisionWithHistoryIsOfSecondOrder) {
-  for (const double restitution : {0.3, 0.5, 0.8, 1.0}) {
+  for (const double restitution : {0.3, 0.5, 0.8}) {
     const double coarse = oblique_error(Integrator::onset_corrected, restitution, 1.0, 32);
-    const double fine = oblique_error(Integrator::onset_corrected, restitution, 1.0, 256);
-    EXPECT_GT(std::log2(coarse / fine) / 3.0, 1.8) << restitution;
+    const double fine = oblique_error(Integrator::onset_corrected, restitution, 1.0, 512);
+    EXPECT_GT(std::log2(coarse / fine) / 4.0, 1.75) << restitution;
+    EXPECT_LE(fine, 6e-6) << restitution;
   }
+}
+
+// Small from coarse steps on, so that there is no order to see.
+TEST(Onset, ObliqueElasticCollisionIsMoreAccurateThanVerlet) {
+  EXPECT_LE(oblique_error(Integrator::onset_corrected, 1.0, 1.0, 32),
+            oblique_error(Integrator::velocity_verlet, 1.0, 1.0, 32) / 3.0);
+  EXPECT_LE(oblique_error(Integrator::onset_corrected, 1.0, 1.0, 512), 5e-6);
 }
 
 // Across a periodic face, and with the ids the other way round, a collision is the same one.
