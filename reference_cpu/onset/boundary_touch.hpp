@@ -192,6 +192,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
         event.resist = (0.5 * push.lasted - half) *
                        this->resist_rolling(laws, meet, arms, point, force.normal, push.lasted, springs);
     }
+    event.centre = this->bodies_.body[meet.second].position;
     events_.add(event);
     this->log_.contact(laws, meet, arms, point, force, springs);
     keep(laws, meet, arms, point, springs);

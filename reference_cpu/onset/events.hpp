@@ -18,6 +18,7 @@ struct OnsetEvent {
   Vec3 rub = Vec3::Zero();     ///< of friction, N s
   Vec3 shift = Vec3::Zero();   ///< of mass times position, kg m
   Vec3 resist = Vec3::Zero();  ///< of rolling resistance, N m s
+  Vec3 centre = Vec3::Zero();  ///< of body 2 as the forces were evaluated, m
 };
 
 /// Those of one step, in the order in which contacts are summed: beginnings before endings.

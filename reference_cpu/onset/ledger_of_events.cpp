@@ -47,7 +47,7 @@ void LedgerKeeper::book_on_wall(const OnsetEvent& event, const Bodies& bodies, c
   const WallNow& wall = walls[wall_of(meet)];
   const Body& body = bodies.body[meet.second];
   const Vec3 half = 0.5 * (event.push + event.rub), turn = 0.5 * event.resist;
-  const Vec3 surface = body.position - (body.radius - meet.overlap) * meet.normal;
+  const Vec3 surface = event.centre - (body.radius - meet.overlap) * meet.normal;
   sums_.support.add(half);
   sums_.wall_work.add(half.dot(meet.wall_velocity) + turn.dot(wall.spin));
   sums_.walls[wall_of(meet)].impulse.add(half);

@@ -64,6 +64,7 @@ void BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::add_ending(cons
                        (step - 0.5 * push.lasted) * rub - (step * half) * force.friction};
   if (laws.rolling.present())
     event.resist = resist_to_the_end(laws, point, before.rolling, force, push, springs);
+  event.centre = this->bodies_.body[meet.second].position;
   events_.add(event);
 }
 
