@@ -37,6 +37,11 @@ void append_spin(Bodies& bodies, const Particle& particle) {
   bodies.angular_acceleration.push_back(Vec3::Zero());
 }
 
+void make_room_for_halves(Bodies& bodies) {
+  bodies.half_velocity.assign(bodies.size(), Vec3::Zero());
+  bodies.half_spin.assign(bodies.spin.size(), Vec3::Zero());
+}
+
 }  // namespace
 
 void reorder(Bodies& bodies, const std::vector<std::int32_t>& order) {
@@ -46,6 +51,8 @@ void reorder(Bodies& bodies, const std::vector<std::int32_t>& order) {
   };
   reordered(bodies.body);
   reordered(bodies.spin);
+  reordered(bodies.half_velocity);
+  reordered(bodies.half_spin);
   reordered(bodies.orientation);
   reordered(bodies.mass);
   reordered(bodies.reach);
@@ -90,10 +97,12 @@ Bodies bodies_of(const Scene& scene) {
   }
   if (scene.orientation != OrientationUpdate::none)
     bodies.orientation.assign(bodies.size(), Quaternion::Identity());
+  if (predicts_velocities(scene.run.integrator)) make_room_for_halves(bodies);
   return bodies;
 }
 
 Motion motion_after(const Bodies& bodies, double pending) {
+  if (bodies.predicted) return {bodies.half_velocity, bodies.half_spin};
   Motion motion{std::vector<Vec3>(bodies.size()), std::vector<Vec3>(bodies.spin.size())};
   for (std::size_t i = 0; i < bodies.size(); ++i)
     motion.velocity[i] = bodies.body[i].velocity + bodies.acceleration[i] * pending;

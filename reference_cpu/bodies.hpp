@@ -30,15 +30,19 @@ struct Bodies {
   std::vector<Spin> spin;
   std::vector<Vec3> acceleration;          ///< m/s²; holds the force while contacts are being summed
   std::vector<Vec3> angular_acceleration;  ///< rad/s²; the torque while contacts are being summed
-  std::vector<Quaternion> orientation;     ///< empty unless the scene asks for it
-  std::vector<double> mass;                ///< kg, of fixed particles too
-  std::vector<double> reach;               ///< m; effect radius where the scene has cohesion, else radius
-  std::vector<double> drag_rate;           ///< 1/s, the inverse of the response time; empty without flow
+  /// Half-step velocities and spins, where the integrator predicts: of the step that led here. Else empty.
+  std::vector<Vec3> half_velocity, half_spin;
+  bool predicted = false;               ///< `velocity` is the prediction, and the half-step ones are held
+  std::vector<Quaternion> orientation;  ///< empty unless the scene asks for it
+  std::vector<double> mass;             ///< kg, of fixed particles too
+  std::vector<double> reach;            ///< m; effect radius where the scene has cohesion, else radius
+  std::vector<double> drag_rate;        ///< 1/s, the inverse of the response time; empty without flow
   std::vector<std::int32_t> material;
   std::vector<std::int32_t> origin;  ///< index in the scene, and so in order of ids
 
   std::size_t size() const { return body.size(); }
   bool turning() const { return !spin.empty(); }
+  bool predicts() const { return !half_velocity.empty(); }
 };
 
 /// The body `order[i]` becomes the body i. Accelerations are not kept.
@@ -64,8 +68,14 @@ struct Motion {
   std::vector<Vec3> angular_velocity;  ///< rad/s
 };
 
-/// Once the present accelerations have acted for `pending` (s) more.
+/// Once the present accelerations have acted for `pending` (s) more. While velocities are predictions, those
+/// held.
 Motion motion_after(const Bodies& bodies, double pending);
+
+/// Whether forces take velocities predicted for the step boundary.
+constexpr bool predicts_velocities(Integrator integrator) {
+  return integrator == Integrator::velocity_verlet_predicted || integrator == Integrator::onset_corrected;
+}
 
 Bodies bodies_of(const Scene& scene);
 

@@ -76,11 +76,11 @@ inline Vec3 spring_friction(const PairLaws& laws, const ContactPoint& point, con
   return laws.spring.force(springs.displacement, slip, normal, shear);
 }
 
-/// Of any laws. The tangential spring is brought up to date.
-inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, double elapsed,
+/// Of any laws, with their springs and dashpots as they are now. `friction_damping` is the η that friction
+/// without memory adds to its slope. The tangential spring is brought up to date.
+inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, const ContactResponse& now,
+                                  double friction_damping, double root_mass, double elapsed,
                                   ContactSprings& springs) {
-  const double root_mass = std::sqrt(point.effective_mass);
-  const ContactResponse now = response(laws, point, root_mass);
   const double separating = point.relative_velocity.dot(point.normal);
   double normal = now.push - now.damping * separating;
   if (laws.normal.no_tension) normal = std::max(normal, 0.0);
@@ -88,13 +88,24 @@ inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& poin
   if (laws.spring.present())
     return {normal, spring_friction(laws, point, slip, normal, now.shear, elapsed, springs)};
   if (laws.friction.coefficient == 0.0) return {normal, Vec3::Zero()};
-  return {normal, laws.friction.force(slip, normal, now.damping, root_mass)};
+  return {normal, laws.friction.force(slip, normal, friction_damping, root_mass)};
+}
+
+inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, double elapsed,
+                                  ContactSprings& springs) {
+  const double root_mass = std::sqrt(point.effective_mass);
+  const ContactResponse now = response(laws, point, root_mass);
+  return contact_force(laws, point, now, now.damping, root_mass, elapsed, springs);
 }
 
 /// Rolling resistance on body 2, N m. `spin` is that of body 2 over body 1, rad/s. Its spring is wound for
 /// `elapsed` (s) and brought up to date.
 Vec3 rolling_torque(const PairLaws& laws, const ContactPoint& point, const Vec3& spin, double normal_force,
                     double elapsed, ContactSprings& springs);
+
+/// Winds a rolling spring for `elapsed` (s) without a look at its limit.
+void wind(const PairLaws& laws, const ContactPoint& point, const Vec3& spin, double elapsed,
+          ContactSprings& springs);
 
 /// What the springs of a contact push and hold.
 struct Stored {

@@ -29,6 +29,7 @@ class ContactHistory {
     elapsed_ = elapsed;
     before_.swap(now_);
     now_.clear();
+    parted_.clear();
     next_ = 0;
   }
 
@@ -40,6 +41,22 @@ class ContactHistory {
     if (next_ == before_.size() || before_[next_].first != first || before_[next_].second != second)
       return {};
     return before_[next_].springs;
+  }
+
+  /// As recall(), but null for bodies that did not touch before, and those that touch no more are set aside.
+  const ContactSprings* meet(std::int32_t first, std::int32_t second) {
+    while (next_ < before_.size() && precedes(before_[next_], first, second))
+      parted_.push_back(before_[next_++]);
+    if (next_ == before_.size() || before_[next_].first != first || before_[next_].second != second)
+      return nullptr;
+    return &before_[next_++].springs;
+  }
+
+  /// After the last meet(): what touched before the evaluation and does no more, by rising (first, second).
+  const std::vector<Memory>& parted() {
+    parted_.insert(parted_.end(), before_.begin() + static_cast<std::ptrdiff_t>(next_), before_.end());
+    next_ = before_.size();
+    return parted_;
   }
 
   void keep(std::int32_t first, std::int32_t second, const ContactSprings& springs) {
@@ -57,7 +74,7 @@ class ContactHistory {
     return memory.first != first ? memory.first < first : memory.second < second;
   }
 
-  std::vector<Memory> before_, now_;
+  std::vector<Memory> before_, now_, parted_;
   std::size_t next_ = 0;
   double elapsed_ = 0.0;
 };

@@ -7,6 +7,8 @@
 #include "model/sections.hpp"
 #include "reference_cpu/compensated_sum.hpp"
 #include "reference_cpu/force_log.hpp"
+#include "reference_cpu/onset/events.hpp"
+#include "reference_cpu/walls.hpp"
 
 namespace grainproof::reference {
 
@@ -22,6 +24,10 @@ class LedgerKeeper {
 
   void before_kick(const Bodies& bodies);
   void after_kick(const Bodies& bodies, double duration);
+
+  /// Half of what a contact that began or ended has done, with the velocities as they are: once before they
+  /// are corrected and once after.
+  void half_of(const OnsetEvent& event, const Bodies& bodies, const Walls& walls);
 
   /// The ledger at the current step. `pending` is how long (s) the present forces still have to act
   /// to bring the velocities up to the step boundary.
@@ -69,6 +75,7 @@ class LedgerKeeper {
   void book_rolling(Sums& sums, const Kick& kick) const;
   /// Path by which turning alone carries the surfaces past each other, before the cross product with n.
   static Vec3 sweep(const Kick& kick, const LoggedContact& contact);
+  void book_on_wall(const OnsetEvent& event, const Bodies& bodies, const Walls& walls);
   void book_fields(Sums& sums, const Kick& kick) const;
   Vec3 drag_impulse(const Kick& kick, std::int32_t particle) const;
 

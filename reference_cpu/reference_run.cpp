@@ -76,12 +76,13 @@ void ReferenceRun::take_step() {
   find_neighbours();
   evaluate_forces(step);
   if (scheme_.settle) kick([&] { return scheme_.settle(bodies_, step); });
+  if (!events_.none()) correct_onsets();
   raise_trouble();
 }
 
 void ReferenceRun::find_neighbours() {
   if (!neighbours_.outdated(bodies_)) return;
-  space_order_.before_list(neighbours_, bodies_, history_);
+  space_order_.before_list(neighbours_, bodies_, history_, touching_);
   neighbours_.list(bodies_);
 }
 
@@ -107,9 +108,31 @@ void ReferenceRun::evaluate_forces(double elapsed) {
   if (log) log->clear();
   std::ranges::fill(bodies_.acceleration, Vec3::Zero());
   std::ranges::fill(bodies_.angular_acceleration, Vec3::Zero());
-  history_.begin(elapsed);
-  add_contact_forces({laws_, box_, walls_, cohesion_, simple_}, neighbours_, bodies_, history_, watch_, log);
+  add_contacts(elapsed, log);
   add_fields(scene_, time(), !scheme_.applies_drag, bodies_, log);
+}
+
+void ReferenceRun::add_contacts(double elapsed, ForceLog* log) {
+  const ContactSetting setting{laws_, box_, walls_, cohesion_, simple_};
+  const bool corrects = scene_.run.integrator == Integrator::onset_corrected;
+  if (corrects || (bodies_.predicts() && !simple_)) {
+    history_.begin(0.5 * elapsed);
+    touching_.begin();
+    add_boundary_forces(setting, {scene_.run.step, elapsed > 0.0, corrects}, neighbours_, bodies_, history_,
+                        touching_, watch_, log, events_);
+  } else {
+    history_.begin(elapsed);
+    add_contact_forces(setting, neighbours_, bodies_, history_, watch_, log);
+  }
+}
+
+void ReferenceRun::correct_onsets() {
+  for (const OnsetEvent& event : events_) {
+    if (ledger_) ledger_->half_of(event, bodies_, walls_);
+    correct(bodies_, box_, event);
+    if (ledger_) ledger_->half_of(event, bodies_, walls_);
+  }
+  events_.clear();
 }
 
 void ReferenceRun::check_velocities() {

@@ -7,6 +7,7 @@
 #include "reference_cpu/contacts.hpp"
 #include "reference_cpu/integrators/scheme.hpp"
 #include "reference_cpu/ledger_keeper.hpp"
+#include "reference_cpu/onset/boundary_step.hpp"
 #include "reference_cpu/space_order.hpp"
 
 namespace grainproof::reference {
@@ -40,6 +41,9 @@ class ReferenceRun : public RestartableRun {
   void find_neighbours();
   /// Contacts that already were have lasted `elapsed` (s) longer than at the evaluation before.
   void evaluate_forces(double elapsed);
+  void add_contacts(double elapsed, ForceLog* log);
+  /// What began or ended within the step.
+  void correct_onsets();
   void check_velocities();
   void raise_trouble() const;
   std::vector<Vec3> positions() const;
@@ -59,6 +63,8 @@ class ReferenceRun : public RestartableRun {
   Neighbours neighbours_;
   SpaceOrder space_order_;
   ContactHistory history_;
+  OnsetEvents events_;
+  Touching touching_;
   Watch watch_;
   std::optional<LedgerKeeper> ledger_;
   std::int64_t first_step_;

@@ -22,11 +22,14 @@ std::vector<std::int32_t> inverse_of(const std::vector<std::int32_t>& order) {
 SpaceOrder::SpaceOrder(const Scene& scene)
     : sorts_(scene.run.order == SumOrder::fast && scene.particles.size() >= many_particles) {}
 
-void SpaceOrder::before_list(Neighbours& neighbours, Bodies& bodies, ContactHistory& history) {
+void SpaceOrder::before_list(Neighbours& neighbours, Bodies& bodies, ContactHistory& history,
+                             Touching& touching) {
   if (!sorts_ || lists_++ % lists_between != 0) return;
   const std::vector<std::int32_t> order = neighbours.order_in_space(bodies);
   reorder(bodies, order);
-  history.renumber(inverse_of(order));
+  const std::vector<std::int32_t> place = inverse_of(order);
+  history.renumber(place);
+  touching.renumber(place);
 }
 
 }  // namespace grainproof::reference

@@ -8,6 +8,7 @@
 #include "reference_cpu/bodies.hpp"
 #include "reference_cpu/contact_history.hpp"
 #include "reference_cpu/neighbours/neighbours.hpp"
+#include "reference_cpu/onset/touching.hpp"
 
 namespace grainproof::reference {
 
@@ -19,7 +20,7 @@ class SpaceOrder {
   explicit SpaceOrder(const Scene& scene);
 
   /// To be called before a list is made. Whoever kept an index is told by the bodies' `origin`.
-  void before_list(Neighbours& neighbours, Bodies& bodies, ContactHistory& history);
+  void before_list(Neighbours& neighbours, Bodies& bodies, ContactHistory& history, Touching& touching);
 
   void pack_into(Sections& own) const { pack_one(own, "space_order.lists", lists_); }
   void unpack_from(const Sections& own) { unpack_one(own, "space_order.lists", lists_); }

@@ -35,7 +35,7 @@ Vec3 arm_to(const Shape& shape, const Vec3& on_surface, const PeriodicBox&) {
 /// Of the image that the body touches, wherever motion has taken the wall.
 inline Vec3 arm_to(const Rectangle& rectangle, const Vec3& on_surface, const PeriodicBox& box) {
   const Vec3 centre = 0.5 * (rectangle.lower + rectangle.upper);
-  return box.nearest_image(on_surface - box.inside(centre)) + 0.5 * (rectangle.upper - rectangle.lower);
+  return box.nearest_image(on_surface - box.inside(centre)) + (centre - rectangle.lower);
 }
 
 /// Undefined normal on the axis itself, which is far beyond any overlap limit of a cylinder that holds its

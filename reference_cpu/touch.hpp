@@ -64,7 +64,7 @@ class AnyTouch {
     return force;
   }
 
- private:
+ protected:
   Vec3 contact(const PairLaws& laws, const Encounter& meet, ContactPoint point) {
     TorqueArms arms;
     if constexpr (turning) {
@@ -76,7 +76,8 @@ class AnyTouch {
     const ContactForce force = contact_force(laws, point, history_.elapsed(), springs);
     if constexpr (turning) {
       twist(meet, arms, meet.normal.cross(force.friction));
-      if (laws.rolling.present()) resist_rolling(laws, meet, arms, point, force.normal, springs);
+      if (laws.rolling.present())
+        resist_rolling(laws, meet, arms, point, force.normal, history_.elapsed(), springs);
     }
     if (laws.remembers()) history_.keep(memory_key(meet), meet.second, springs);
     log_.contact(laws, meet, arms, point, force, springs);
@@ -120,18 +121,25 @@ class AnyTouch {
   /// Of body 2 over body 1. With the shorter arm at a wall it is taken as LIGGGHTS does: from the speed at
   /// that arm over the distance from the wall (docs/laws/rolling.md).
   Vec3 rolling_spin(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms) const {
-    const Vec3 spin = bodies_.spin[meet.second].angular_velocity - spin_of_first(meet);
+    return as_rolling(laws, meet, arms, bodies_.spin[meet.second].angular_velocity - spin_of_first(meet));
+  }
+
+  Vec3 as_rolling(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                  const Vec3& spin) const {
     if (!meet.with_wall() || laws.arm_shortening == 0.0) return spin;
     return spin * (arms.second / (bodies_.body[meet.second].radius - meet.overlap));
   }
 
-  void resist_rolling(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
-                      const ContactPoint& point, double normal_force, ContactSprings& springs) {
+  /// The torque on body 2.
+  Vec3 resist_rolling(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                      const ContactPoint& point, double normal_force, double elapsed,
+                      ContactSprings& springs) {
     const Vec3 spin = rolling_spin(laws, meet, arms);
-    const Vec3 torque = rolling_torque(laws, point, spin, normal_force, history_.elapsed(), springs);
+    const Vec3 torque = rolling_torque(laws, point, spin, normal_force, elapsed, springs);
     bodies_.angular_acceleration[meet.second] += torque;
     if (!meet.with_wall()) bodies_.angular_acceleration[meet.first] -= torque;
     log_.rolling(meet, torque, spin_of_first(meet));
+    return torque;
   }
 
   const Walls& walls_;

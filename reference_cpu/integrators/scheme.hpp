@@ -24,6 +24,8 @@ Scheme euler_trapezoid();
 Scheme euler_trapezoid_implicit_drag();
 Scheme leapfrog_verlet();
 Scheme velocity_verlet();
+/// Of onset_corrected too, which only evaluates forces in its own way.
+Scheme velocity_verlet_predicted();
 
 inline Scheme scheme_for(Integrator integrator) {
   switch (integrator) {
@@ -35,6 +37,9 @@ inline Scheme scheme_for(Integrator integrator) {
       return leapfrog_verlet();
     case Integrator::velocity_verlet:
       return velocity_verlet();
+    case Integrator::velocity_verlet_predicted:
+    case Integrator::onset_corrected:
+      return velocity_verlet_predicted();
   }
   return velocity_verlet();
 }

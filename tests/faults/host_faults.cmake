@@ -5,7 +5,7 @@
 host_fault(MassOfACube FILE reference_cpu/bodies.cpp CASE settling
   PRINTED "std::numbers::pi"
   PLANTED "6.0")
-host_fault(ReducedMassLeftOut FILE reference_cpu/contacts.cpp CASE normal_collision_two_bodies
+host_fault(ReducedMassLeftOut FILE reference_cpu/contact_loops.hpp CASE normal_collision_two_bodies
   PRINTED "1.0 / (one.inverse_mass + two.inverse_mass)"
   PLANTED "1.0 / two.inverse_mass")
 host_fault(FrictionDrivesTheSlip FILE reference_cpu/laws/friction.hpp CASE oblique_wall
@@ -119,7 +119,7 @@ host_fault(RectangleOfHalfItsSize FILE reference_cpu/surfaces.hpp CASE hard_rect
 host_fault(ImageOfAPairDropped FILE reference_cpu/periodic_box.hpp CASE hard_periodic_face
   PRINTED "apart[axis] -= period_[axis]"
   PLANTED "apart[axis] -= 0.0")
-host_fault(WallContactWithoutVelocity FILE reference_cpu/contacts.cpp CASE normal_collision_wall
+host_fault(WallContactWithoutVelocity FILE reference_cpu/contact_loops.hpp CASE normal_collision_wall
   PRINTED "body.velocity - meet.wall_velocity"
   PLANTED "body.velocity - body.velocity")
 host_fault(VibrationWithoutItsRate FILE reference_cpu/walls.cpp CASE wall_vibrating
@@ -137,7 +137,7 @@ host_fault(WallsOneStepBehind FILE reference_cpu/reference_run.cpp CASE wall_vib
 host_fault(LeapUnnoticed FILE reference_cpu/reference_run.cpp CASE hard_leap_later
   PRINTED "body.velocity.squaredNorm() * (step * step)"
   PLANTED "0.0 * step")
-host_fault(OverlapLimitIgnored FILE reference_cpu/contacts.cpp CASE hard_too_soft
+host_fault(OverlapLimitIgnored FILE reference_cpu/contact_loops.hpp CASE hard_too_soft
   PRINTED "watch.overlap_limit() * std::min(one.radius, two.radius)"
   PLANTED "1e300")
 host_fault(KineticEnergyDoubled FILE reference_cpu/ledger_keeper.cpp CASE hard_wall_over_fixed

@@ -53,24 +53,34 @@ double spin_energy(const Scene& scene, const Frame& frame) {
 }
 
 // 125 bodies of some 1 kg, 3 m/s and 0.5 m in 3000 steps, each rounding its velocity at that arm.
-void expect_conserved(const Scene& scene) {
+void expect_conserved(const Scene& scene, double scheme_error = 0.0) {
   const auto run = start(scene);
   const Frame before = run->frame();
   run->advance(3000);
   const Frame after = run->frame();
   const double round_off = 0x1p-53 * std::sqrt(125.0 * 3000.0) * 10.0;
   EXPECT_LE((momentum(scene, after) - momentum(scene, before)).norm(), round_off);
-  EXPECT_LE((angular_momentum(scene, after) - angular_momentum(scene, before)).norm(), round_off);
+  EXPECT_LE((angular_momentum(scene, after) - angular_momentum(scene, before)).norm(),
+            round_off + scheme_error);
   EXPECT_LT(spin_energy(scene, after), 0.9 * spin_energy(scene, before));
   EXPECT_GT(run->state().contacts.size(), 50u);
 }
 
 // The trapezoidal Euler steps keep it up to their error only: x' × v' has (v × a) h²/2 too much.
 TEST(TurningGas, KeepsMomentumAndAngularMomentumToRoundOff) {
-  for (const Integrator integrator : {Integrator::velocity_verlet, Integrator::leapfrog_verlet})
+  for (const Integrator integrator :
+       {Integrator::velocity_verlet, Integrator::leapfrog_verlet, Integrator::velocity_verlet_predicted})
     for (const RollingLaw& rolling :
          {RollingLaw{NoRolling{}}, RollingLaw{ConstantTorqueRolling{0.1}}, RollingLaw{SpringRolling{0.1}}})
       expect_conserved(free_gas(integrator, rolling));
+}
+
+// What an event takes back points along the normal at the step's end, not at its start, and acts at places
+// that it moves: 1.4e-6 N m s in some thousand events.
+TEST(TurningGas, OnsetsKeepMomentumToRoundOffAndAngularMomentumUpToTheirError) {
+  for (const RollingLaw& rolling :
+       {RollingLaw{NoRolling{}}, RollingLaw{ConstantTorqueRolling{0.1}}, RollingLaw{SpringRolling{0.1}}})
+    expect_conserved(free_gas(Integrator::onset_corrected, rolling), 5e-6);
 }
 
 }  // namespace

@@ -67,6 +67,14 @@ TEST_P(HistoryCarried, ToTheBitWhateverListIsRebuiltWhenever) {
   }
 }
 
+TEST_P(HistoryCarried, WithItsOnsetsToTheBit) {
+  Scene scene = crowd(GetParam());
+  scene.run.integrator = Integrator::onset_corrected;
+  const Ending every_step = ending_with(scene, NeighbourSearch::all_pairs, 0.0);
+  EXPECT_EQ(ending_with(scene, NeighbourSearch::cells, 0.0).digest, every_step.digest);
+  EXPECT_EQ(ending_with(scene, NeighbourSearch::verlet_list, 0.05).digest, every_step.digest);
+}
+
 INSTANTIATE_TEST_SUITE_P(Boxes, HistoryCarried, ::testing::Bool(), [](const auto& box) {
   return box.param ? std::string("Periodic") : std::string("Closed");
 });

@@ -49,6 +49,13 @@ TEST(Integrators, VelocityVerletDampsWithTheHalfStepVelocity) {
   expect_frame(in_stream(Integrator::velocity_verlet), 1, half * step, v1);
 }
 
+TEST(Integrators, PredictedVelocityIsWhatForcesSee) {
+  const Vec3 kick = acceleration(start_velocity) * (0.5 * step), half = start_velocity + kick;
+  const Vec3 v1 = half + acceleration(half + kick) * (0.5 * step);
+  expect_frame(in_stream(Integrator::velocity_verlet_predicted), 1, half * step, v1);
+  expect_frame(in_stream(Integrator::onset_corrected), 1, half * step, v1);
+}
+
 // Sweetman 2.19: the reported velocity is the mean of the two half-step velocities around it.
 TEST(Integrators, LeapfrogReportsTheMeanOfItsHalfStepVelocities) {
   const Vec3 half = start_velocity + acceleration(start_velocity) * (0.5 * step);

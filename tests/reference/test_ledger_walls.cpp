@@ -153,7 +153,9 @@ std::string name_of_case(const ::testing::TestParamInfo<Integrator>& info) {
 INSTANTIATE_TEST_SUITE_P(Integrators, WallLedgerOf,
                          ::testing::Values(Integrator::euler_trapezoid,
                                            Integrator::euler_trapezoid_implicit_drag,
-                                           Integrator::leapfrog_verlet, Integrator::velocity_verlet),
+                                           Integrator::leapfrog_verlet, Integrator::velocity_verlet,
+                                           Integrator::velocity_verlet_predicted,
+                                           Integrator::onset_corrected),
                          name_of_case);
 
 /// Rocks about x in a floor without friction, on a rolling spring far below its limit: k_r = 8e4 · 0.05².

@@ -74,6 +74,12 @@ TEST(Neighbours, GasInAClosedBoxMovesTheSameHoweverNeighboursAreFound) {
   expect_same_bits(scene, 3000);
 }
 
+TEST(Neighbours, OnsetsAreTheSameHoweverNeighboursAreFound) {
+  Scene scene = gas({5, 5, 5}, {0, 1});
+  scene.run.integrator = Integrator::onset_corrected;
+  expect_same_bits(scene, 3000);
+}
+
 TEST(Neighbours, GasInAPeriodicBoxMovesTheSameHoweverNeighboursAreFound) {
   expect_same_bits(gas({5, 5, 5}, {0, 1, 2}), 3000);
 }

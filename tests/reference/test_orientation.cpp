@@ -85,7 +85,9 @@ std::string name_of_case(const ::testing::TestParamInfo<Integrator>& info) {
 INSTANTIATE_TEST_SUITE_P(Integrators, Orientation,
                          ::testing::Values(Integrator::euler_trapezoid,
                                            Integrator::euler_trapezoid_implicit_drag,
-                                           Integrator::leapfrog_verlet, Integrator::velocity_verlet),
+                                           Integrator::leapfrog_verlet, Integrator::velocity_verlet,
+                                           Integrator::velocity_verlet_predicted,
+                                           Integrator::onset_corrected),
                          name_of_case);
 
 }  // namespace

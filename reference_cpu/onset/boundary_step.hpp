@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "reference_cpu/contacts.hpp"
+#include "reference_cpu/onset/events.hpp"
+#include "reference_cpu/onset/touching.hpp"
+
+namespace grainproof::reference {
+
+/// One evaluation of forces with the velocities predicted for the step boundary.
+struct BoundaryStep {
+  double step;    ///< s
+  bool started;   ///< false for the evaluation before the first step, in which nothing begins or ends
+  bool corrects;  ///< for the time that contacts lasted
+};
+
+/// As add_contact_forces(). Springs are stretched by half a step before and by half a step after their
+/// forces, which makes a trapezoid of two evaluations; the history has been begun with the half before. What
+/// began or ended is added to `events`. Where all laws are simple, `touching` is used in place of the
+/// history.
+void add_boundary_forces(const ContactSetting& setting, const BoundaryStep& now, const Neighbours& neighbours,
+                         Bodies& bodies, ContactHistory& history, Touching& touching, Watch& watch,
+                         ForceLog* log, OnsetEvents& events);
+
+}  // namespace grainproof::reference

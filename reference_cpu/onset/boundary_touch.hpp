@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "reference_cpu/onset/boundary_step.hpp"
+#include "reference_cpu/onset/partial_contact.hpp"
+#include "reference_cpu/touch.hpp"
+
+namespace grainproof::reference {
+
+/// Share of the predicted velocity that a dashpot sees, once the spring beside it has had its say:
+/// (1 + c)/(1 + c + κ) (docs/laws/integrators.md).
+inline double refined_share(double stiffness, double damping, double inverse_mass, double step) {
+  const double twice = 0.5 * step * inverse_mass;
+  const double with_damping = 1.0 + twice * damping;
+  return with_damping / (with_damping + twice * step * stiffness);
+}
+
+/// Where two bodies stood at the start of the step in which they parted.
+struct BeforeParting {
+  ContactPoint point;
+  Vec3 slip;
+  Vec3 rolling;  ///< spin of body 2 over body 1, as rolling resistance takes it, rad/s
+};
+
+/// Any laws, evaluated with the velocities predicted for the step boundary. With `corrects`, contacts that
+/// begin act for the time they have lasted, and all are remembered: by the history, or where no law keeps
+/// anything by the mere fact that they touch.
+template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
+class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
+  using Base = AnyTouch<turning, is_cohesive, Log>;
+
+ public:
+  static constexpr bool cohesive = is_cohesive;
+
+  BoundaryTouch(const Walls& walls, Bodies& bodies, ContactHistory& history, Memory& memory, Log& log,
+                const BoundaryStep& now, OnsetEvents& events)
+      : Base(walls, bodies, history, log), memory_(memory), now_(now), events_(events) {}
+
+  Vec3 force_on_second(const PairLaws& laws, const Encounter& meet, const Vec3& relative_velocity,
+                       double effective_mass) {
+    Vec3 force = Vec3::Zero();
+    if (meet.overlap > 0.0)
+      force = contact(
+          laws, meet,
+          {meet.normal, meet.overlap, relative_velocity, effective_mass, this->effective_radius(meet)});
+    if constexpr (cohesive) force += attraction(laws, meet, this->log_);
+    return force;
+  }
+
+  /// A contact that touches no more, with the springs that it left.
+  void end(const PairLaws& laws, const Encounter& meet, double effective_mass, ContactSprings springs);
+
+ private:
+  Vec3 contact(const PairLaws& laws, const Encounter& meet, ContactPoint point) {
+    TorqueArms arms;
+    if constexpr (turning) {
+      arms = this->arms_of(laws, meet);
+      point.relative_velocity -= this->sweep(meet, arms).cross(meet.normal);
+    }
+    if constexpr (!corrects)
+      if (!laws.remembers()) return last(laws, meet, arms, point, {});
+    const ContactSprings* kept = memory_.meet(this->memory_key(meet), meet.second);
+    if constexpr (corrects)
+      if (!kept && now_.started) return begin(laws, meet, arms, point);
+    return last(laws, meet, arms, point, kept ? *kept : ContactSprings{});
+  }
+
+  Vec3 last(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
+            ContactSprings springs) {
+    const double root_mass = std::sqrt(point.effective_mass);
+    ContactResponse now = response(laws, point, root_mass);
+    const double damping = now.damping;
+    if constexpr (corrects) refine(laws, meet, arms, point, now);
+    double elapsed = this->history_.elapsed();
+    if constexpr (corrects)
+      if (now_.started && may_let_go(laws, meet, point, now))
+        elapsed = pass_zero(laws, meet, arms, point, springs);
+    const ContactForce force = contact_force(laws, point, now, damping, root_mass, elapsed, springs);
+    if constexpr (turning) {
+      this->twist(meet, arms, meet.normal.cross(force.friction));
+      if (laws.rolling.present())
+        this->resist_rolling(laws, meet, arms, point, force.normal, this->history_.elapsed(), springs);
+    }
+    this->log_.contact(laws, meet, arms, point, force, springs);
+    keep(laws, meet, arms, point, springs);
+    return force.normal * meet.normal + force.friction;
+  }
+
+  /// Whether the normal force can have changed its sign within the step, and that matters.
+  bool may_let_go(const PairLaws& laws, const Encounter& meet, const ContactPoint& point,
+                  const ContactResponse& now) const {
+    if (!laws.spring.present() && !laws.normal.no_tension) return false;
+    const double rate = -point.relative_velocity.dot(point.normal);
+    const double force = now.push + now.damping * rate;
+    const double change = now_.step * (2.0 * stiffness_now(laws, point, now) * std::abs(rate) +
+                                       now.damping * std::abs(force) * inverse_mass(meet));
+    return std::abs(force) < 2.0 * change;
+  }
+
+  /// Where the normal force passes zero a spring is cut back to nothing, and a contact that cannot pull has
+  /// acted for a part of the step. For how long the spring is stretched since, s.
+  [[gnu::noinline]] double pass_zero(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                                     const ContactPoint& point, ContactSprings& springs);
+
+  static double stiffness_now(const PairLaws& laws, const ContactPoint& point, const ContactResponse& now) {
+    return laws.hertz.present() ? 1.5 * now.push / point.overlap : laws.normal.stiffness;
+  }
+
+  void refine(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
+              ContactResponse& now) const {
+    now.damping *= refined_share(stiffness_now(laws, point, now), now.damping, inverse_mass(meet), now_.step);
+    if (laws.spring.present())
+      now.shear.damping *=
+          refined_share(now.shear.stiffness, now.shear.damping, inverse_sliding_mass(meet, arms), now_.step);
+  }
+
+  double inverse_mass(const Encounter& meet) const {
+    const double of_second = this->bodies_.body[meet.second].inverse_mass;
+    return meet.with_wall() ? of_second : of_second + this->bodies_.body[meet.first].inverse_mass;
+  }
+
+  /// The inverse of what resists a change of the slip, 1/kg: the bodies' turning helps it along.
+  double inverse_sliding_mass(const Encounter& meet, const TorqueArms& arms) const {
+    double inverse = inverse_mass(meet);
+    if constexpr (turning) {
+      inverse += arms.second * arms.second * this->bodies_.spin[meet.second].inverse_inertia;
+      if (!meet.with_wall())
+        inverse += arms.first * arms.first * this->bodies_.spin[meet.first].inverse_inertia;
+    }
+    return inverse;
+  }
+
+  static Vec3 slip_at(const ContactPoint& point) {
+    return point.relative_velocity - point.relative_velocity.dot(point.normal) * point.normal;
+  }
+
+  /// With the second half of the stretch.
+  void keep(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
+            ContactSprings& springs) {
+    if (laws.spring.present()) springs.displacement += slip_at(point) * (0.5 * now_.step);
+    if constexpr (turning)
+      if (laws.rolling.spring)
+        wind(laws, point, this->rolling_spin(laws, meet, arms), 0.5 * now_.step, springs);
+    if (corrects || laws.remembers()) memory_.keep(this->memory_key(meet), meet.second, springs);
+  }
+
+  /// Of body 2 over body 1 where they touch, in the middle of the step.
+  Vec3 half_step_velocity(const Encounter& meet, const TorqueArms& arms) const {
+    const Bodies& bodies = this->bodies_;
+    const Vec3 of_first = meet.with_wall() ? meet.wall_velocity : bodies.half_velocity[meet.first];
+    Vec3 velocity = bodies.half_velocity[meet.second] - of_first;
+    if constexpr (turning) {
+      Vec3 sweep = arms.second * bodies.half_spin[meet.second];
+      if (!meet.with_wall()) sweep += arms.first * bodies.half_spin[meet.first];
+      velocity -= sweep.cross(meet.normal);
+    }
+    return velocity;
+  }
+
+  /// Bodies may slide from the very touch on, at which a dashpot pushes already: the spring is then what
+  /// makes it and its own dashpot add up to the limit. A Hertz contact has no dashpot there.
+  static Vec3 spring_at_touch(const PairLaws& laws, const ContactPoint& point, const Vec3& slip,
+                              double rate) {
+    Vec3 spring = Vec3::Zero();
+    if (!laws.spring.present() || laws.hertz.present()) return spring;
+    const ContactResponse now = response(laws, point, std::sqrt(point.effective_mass));
+    laws.spring.force(spring, slip, now.damping * rate, now.shear);
+    return spring;
+  }
+
+  /// Rare, and kept out of the loops that are flattened.
+  [[gnu::noinline]] Vec3 begin(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                               ContactPoint point) {
+    const Vec3 slip = slip_at(point);
+    const double rate = -half_step_velocity(meet, arms).dot(meet.normal);
+    const auto [state, push] = PartialContact(laws, point, now_.step).beginning({meet.overlap, rate});
+    const Vec3 spring = spring_at_touch(laws, point, slip, meet.overlap / push.lasted);
+    point.overlap = state.overlap;
+    const ShearShare share = laws.hertz.present() ? hertz_shear_of_a_beginning : ShearShare{};
+    const Vec3 rub = friction_impulse(laws, point, slip, spring, push, share);
+    const Vec3 slip_now = slip + rub * inverse_sliding_mass(meet, arms);
+    point.relative_velocity = slip_now - state.rate * meet.normal;
+    ContactSprings springs{.displacement = spring + (slip + slip_now) * (0.5 * push.lasted)};
+    const ContactForce force = contact_force(laws, point, 0.0, springs);
+    const double half = 0.5 * now_.step;
+    OnsetEvent event{meet, arms, (push.impulse - half * force.normal) * meet.normal,
+                     rub - half * force.friction, push.moment * meet.normal + (0.5 * push.lasted) * rub};
+    if constexpr (turning) {
+      this->twist(meet, arms, meet.normal.cross(force.friction));
+      // Grows from nothing with the overlap or the turn.
+      if (laws.rolling.present())
+        event.resist = (0.5 * push.lasted - half) *
+                       this->resist_rolling(laws, meet, arms, point, force.normal, push.lasted, springs);
+    }
+    event.centre = this->bodies_.body[meet.second].position;
+    events_.add(event);
+    this->log_.contact(laws, meet, arms, point, force, springs);
+    keep(laws, meet, arms, point, springs);
+    return force.normal * meet.normal + force.friction;
+  }
+
+  void add_ending(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                  const BeforeParting& before, ContactSprings springs);
+  BeforeParting before_parting(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                               double effective_mass) const;
+  Vec3 resist_to_the_end(const PairLaws& laws, const ContactPoint& point, const Vec3& rolling,
+                         const ContactForce& force, const PartialPush& push, ContactSprings springs) const;
+
+  Memory& memory_;
+  const BoundaryStep& now_;
+  OnsetEvents& events_;
+};
+
+}  // namespace grainproof::reference
