@@ -9,6 +9,6 @@ typedef struct {
   real elastic;       // normal force of the overlap alone
   real pressing;      // normal force
   real stiffness;     // k_t
-  real duration, share;
+  real duration, ahead, share;
   global real4* memory;
 } Rolling;
