@@ -8,13 +8,15 @@ INLINE Push press(World w, Load* load, ContactPoint c, PairLaw law) {
   const real3 slip = c.velocity - separating * c.normal - c.rolling;
   real3 rubbing = friction_force(slip, pressing, law, c.root_mass);
   const real3 damped = refined_slip(w, c, slip, law.spring * rise.factor, spring_damping_of(law, c.root_mass, rise));
-  const Strain strain = {slip, damped, c.normal, pressing, c.overlap, c.root_mass, c.duration, c.ahead, c.share};
+  const Turnover turnover = c.turnover.since >= 0 ? c.turnover : turnover_of(w, c, law, pressing, slip);
+  const Strain strain = {slip, damped, c.normal, pressing, c.overlap, c.root_mass, c.duration, c.ahead, c.share,
+                         turnover};
   stretch_spring(&rubbing, c.memory, strain, law, rise, &load->account);
   const real3 torque = torque_of(rubbing, c.arm, c.normal);
   turn_body(&load->turning, torque);
   const real elastic = law.stiffness * rise.factor * c.overlap;
   const Rolling roll = {c.spin,     c.wall_spin, c.normal, c.radius, elastic, pressing, law.spring * rise.factor,
-                        c.duration, c.ahead,     c.share,  c.memory};
+                        c.duration, c.ahead,     c.share,  turnover.since, c.memory};
   resist_rolling(&load->turning, roll, law, &load->account);
   const real3 force = pressing * c.normal + rubbing;
   load->force += force;
@@ -34,6 +36,7 @@ INLINE void attract(Load* load, ContactPoint c, PairLaw law) {
 }
 
 INLINE void meet(World w, Load* load, ContactPoint c, PairLaw law) {
+  c.turnover = no_turnover();
   if (c.overlap > 0) {
     const Onset onset = onset_of(w, &c, law);
     const Push push = press(w, load, c, law);

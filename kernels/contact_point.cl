@@ -19,6 +19,7 @@ typedef struct {
   bool starting;        // step 0
   int self, other;      // bodies; below 0 for a wall
   real other_arm;
+  Turnover turnover;
   real inverse_mass;    // effective
   global real4* memory;
   real share;           // of the contact's energy that is the second body's: 1/2, or 1 where the first never moves

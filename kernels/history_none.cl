@@ -4,6 +4,7 @@
 typedef struct {
   real3 slip, damped, normal;
   real pressing, overlap, root_mass, duration, ahead, share;
+  Turnover turnover;
 } Strain;
 
 INLINE global real4* memory_of_pair(World w, int slot) { return 0; }

@@ -55,6 +55,10 @@ INLINE Onset onset_of(World w, ContactPoint* c, PairLaw law) {
   o.moment = -mass * f.way;
   if (law.lowest == 0) o.impulse = greater_of(o.impulse, 0);
   c->velocity -= (separating_rate(*c) + rate + f.gain) * c->normal;
+  const real3 now = c->velocity - separating_rate(*c) * c->normal - c->rolling;
+  c->turnover.since = o.time;
+  c->turnover.slip = now + (2 * (o.time / step)) * (slip - now);
+  c->turnover.limit = law.sliding * magnitude(normal_force(0, -rate, law, c->root_mass, rise_of(0, c->radius, law)));
   c->overlap += f.way;
   c->duration = o.time;
   c->foresight = 0;
@@ -75,11 +79,30 @@ INLINE void correct_onset(World w, Load* load, ContactPoint c, PairLaw law, Onse
   const real half_step = w.constants->time.y;
   const real damping = spring_damping_of(law, c.root_mass, push.rise);
   const real3 way = push.slip * o.time;
-  const real3 rubbing =
-      friction_force(way, o.impulse, law, c.root_mass) -
-      gripping(way * ((real)0.5 * o.time), damping * way, law.spring * push.rise.factor, law.sliding * o.impulse, law);
+  const real stiffness = law.spring * push.rise.factor;
+  const real3 first = left_of(damping * c.turnover.slip, stiffness, c.turnover.limit, law);
+  const real3 rubbing = friction_force(way, o.impulse, law, c.root_mass) -
+                        gripping((first + (real)0.5 * way) * o.time, damping * way, stiffness,
+                                 law.sliding * o.impulse, law);
   add_correction(load, c, (o.impulse - half_step * push.pressing) * c.normal, o.moment * c.normal,
                  rubbing - half_step * push.rubbing, rubbing * ((real)0.5 * o.time));
+}
+
+// Of a contact that pulls and pressed at the last boundary. Slips go evenly from the one there, 2 s½ − ŝ, to that of
+// now.
+INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real pressing, real3 slip) {
+  Turnover t = no_turnover();
+  if (!(pressing < 0) || !(c.foresight > 0) || !(law.history & REMEMBERS)) return t;
+  const real step = w.constants->time.x;
+  real3 half_slip;
+  const real middle = half_rate_of(w, c, &half_slip);
+  const real overlap = c.overlap - step * middle, rate = middle + middle + separating_rate(c);
+  const real before = normal_force(overlap, -rate, law, c.root_mass, rise_of(greater_of(overlap, 0), c.radius, law));
+  if (!(before > 0)) return t;
+  const real share = pressing / (pressing - before);
+  t.since = step * share;
+  t.slip = slip + 2 * share * (half_slip - slip);
+  return t;
 }
 
 INLINE real pressing_impulse(real overlap, real rate, real time, PairLaw law, real root_mass, real damping) {
@@ -88,7 +111,8 @@ INLINE real pressing_impulse(real overlap, real rate, real time, PairLaw law, re
   const Flow middle = flow_of(overlap, rate, (real)0.5 * time, law.stiffness, damping, mass);
   const Flow end = flow_of(overlap, rate, time, law.stiffness, damping, mass);
   const real first = normal_force(overlap, -rate, law, root_mass, rise);
-  const real second = normal_force(overlap + (real)0.5 * time * rate + middle.way, -rate - middle.gain, law, root_mass, rise);
+  const real halfway = overlap + (real)0.5 * time * rate + middle.way;
+  const real second = normal_force(halfway, -rate - middle.gain, law, root_mass, rise);
   const real third = normal_force(overlap + time * rate + end.way, -rate - end.gain, law, root_mass, rise);
   return (magnitude(first) + 4 * magnitude(second) + magnitude(third)) * (time / 6);
 }

@@ -10,5 +10,6 @@ typedef struct {
   real pressing;      // normal force
   real stiffness;     // k_t
   real duration, ahead, share;
+  real since;         // of a moment with a limit of 0, kernels/turnover.cl
   global real4* memory;
 } Rolling;

@@ -4,6 +4,7 @@
 typedef struct {
   real3 slip, damped, normal;
   real pressing, overlap, root_mass, duration, ahead, share;
+  Turnover turnover;
 } Strain;
 
 INLINE global real4* memory_of_pair(World w, int slot) { return w.springs + slot * MEMORY_WORDS; }
@@ -16,4 +17,5 @@ INLINE void forget(global real4* memory) {
 INLINE real3 remembered_spring(const global real4* memory, real overlap, real3 normal, PairLaw law) {
   return (real3)(0);
 }
+INLINE real3 left_of(real3 damped, real stiffness, real limit, PairLaw law) { return (real3)(0); }
 INLINE real3 gripping(real3 spring, real3 damped, real stiffness, real limit, PairLaw law) { return (real3)(0); }

@@ -144,7 +144,8 @@ std::vector<std::string> law_files(const BuildOptions& o) {
                                  "rolling_point.cl",
                                  o.rolling_constant ? "rolling_constant.cl" : "rolling_constant_none.cl",
                                  o.rolling_spring ? "rolling_spring.cl" : "rolling_spring_none.cl",
-                                 rolls ? "rolling.cl" : "rolling_none.cl"};
+                                 rolls ? "rolling.cl" : "rolling_none.cl",
+                                 "turnover.cl"};
   for (const auto& part : {memory_files(o), contact_files(o)})
     files.insert(files.end(), part.begin(), part.end());
   return files;
