@@ -105,11 +105,10 @@ INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real pressing,
   return t;
 }
 
-INLINE real pressing_impulse(real overlap, real rate, real time, PairLaw law, real root_mass, real damping) {
+INLINE real pressing_impulse(real overlap, real rate, real time, Flow end, PairLaw law, real root_mass, real damping) {
   const real mass = root_mass * root_mass;
   const Rise rise = rise_of(overlap, 0, law);
   const Flow middle = flow_of(overlap, rate, (real)0.5 * time, law.stiffness, damping, mass);
-  const Flow end = flow_of(overlap, rate, time, law.stiffness, damping, mass);
   const real first = normal_force(overlap, -rate, law, root_mass, rise);
   const real halfway = overlap + (real)0.5 * time * rate + middle.way;
   const real second = normal_force(halfway, -rate - middle.gain, law, root_mass, rise);
@@ -137,7 +136,7 @@ INLINE void end_contact(World w, Load* load, ContactPoint c, PairLaw law) {
     moment = greater_of(moment, 0);
   }
   const real plain = normal_force(overlap, -rate, law, c.root_mass, rise);
-  const real pressed = pressing_impulse(overlap, rate, time, law, c.root_mass, damping);
+  const real pressed = pressing_impulse(overlap, rate, time, f, law, c.root_mass, damping);
   const real3 spring = remembered_spring(c.memory, overlap, c.normal, law) - slip * half_step;
   const real3 damped = spring_damping_of(law, c.root_mass, rise) * slip;
   const real stiffness = law.spring * rise.factor;
