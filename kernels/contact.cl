@@ -40,9 +40,9 @@ INLINE void meet(World w, Load* load, ContactPoint c, PairLaw law) {
   if (c.overlap > 0) {
     const Onset onset = onset_of(w, &c, law);
     const Push push = press(w, load, c, law);
-    correct_onset(w, load, c, law, onset, push);
+    correct_onset(w, c, law, onset, push);
   } else {
-    end_contact(w, load, c, law);
+    end_contact(w, c, law);
     forget(c.memory);
   }
   if (reaches_farther() && c.reach_overlap > 0) attract(load, c, law);

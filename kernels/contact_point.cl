@@ -29,7 +29,6 @@ typedef struct {
   real3 force;
   Turning turning;
   Account account;
-  Correction correction;
 } Load;
 
 // What a contact did, for those that change it afterwards.

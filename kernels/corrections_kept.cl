@@ -5,24 +5,14 @@
 // next move or whoever looks takes them.
 #define CORRECTION_WORDS 3
 
-typedef struct {
-  real3 kick;   // N s
-  real3 shift;  // N s²
-  real3 twist;  // N m s
-  real events;
-} Correction;
-
-INLINE Correction no_correction() {
-  Correction c = {(real3)(0), (real3)(0), (real3)(0), 0};
-  return c;
-}
-
-INLINE void close_correction(World w, Body self, Correction c) {
-  if (!(c.events > 0)) return;
-  global real4* kept = w.corrections + CORRECTION_WORDS * self.index;
-  kept[0] = (real4)(c.kick * self.inverse_mass, 1);
-  kept[1] = (real4)(c.shift * (self.inverse_mass / w.constants->time.x), 1);
-  kept[2] = (real4)(c.twist * inverse_inertia_of(w, self.index), 0);
+// Impulse, moment of it and twist on a body, from one contact. Added in memory: few steps have any, and every contact
+// would pay for sums that are carried along.
+INLINE void enter_correction(World w, int i, real3 impulse, real3 moment, real3 twist) {
+  global real4* kept = w.corrections + CORRECTION_WORDS * i;
+  const real inverse_mass = w.velocities[i].w;
+  kept[0] += (real4)(impulse * inverse_mass, 1);
+  kept[1] += (real4)(moment * (inverse_mass / w.constants->time.x), 1);
+  kept[2] += (real4)(twist * inverse_inertia_of(w, i), 0);
 }
 
 INLINE void take_kick(World w, int i, Motion* m) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 INLINE Load no_load() {
-  Load load = {(real3)(0), no_turning(), new_account(), no_correction()};
+  Load load = {(real3)(0), no_turning(), new_account()};
   return load;
 }
 
@@ -14,6 +14,5 @@ INLINE void finish_forces(World w, Load load, Body self, int step) {
   const real3 drag = drag_acceleration(w, self);
   w.accelerations[self.index] = (real4)(load.force * self.inverse_mass + gravity + drag, 0);
   close_turning(w, self.index, load.turning);
-  close_correction(w, self, load.correction);
   close_account(w, self.index, load.account, gravity, drag, step);
 }

@@ -65,15 +65,12 @@ INLINE Onset onset_of(World w, ContactPoint* c, PairLaw law) {
   return o;
 }
 
-INLINE void add_correction(Load* load, ContactPoint c, real3 normal, real3 normal_moment, real3 rubbing,
+INLINE void add_correction(World w, ContactPoint c, real3 normal, real3 normal_moment, real3 rubbing,
                            real3 rubbing_moment) {
-  load->correction.kick += normal + rubbing;
-  load->correction.shift += normal_moment + rubbing_moment;
-  load->correction.twist += torque_of(rubbing, c.arm, c.normal);
-  load->correction.events += 1;
+  enter_correction(w, c.self, normal + rubbing, normal_moment + rubbing_moment, torque_of(rubbing, c.arm, c.normal));
 }
 
-INLINE void correct_onset(World w, Load* load, ContactPoint c, PairLaw law, Onset o, Push push) {
+INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push push) {
   if ((c.starting || o.begins) && !(c.memory->w > 0)) c.memory->w = greater_of(c.overlap, FLT_MIN);
   if (!o.begins) return;
   const real half_step = w.constants->time.y;
@@ -84,7 +81,7 @@ INLINE void correct_onset(World w, Load* load, ContactPoint c, PairLaw law, Onse
   const real3 rubbing = friction_force(way, o.impulse, law, c.root_mass) -
                         gripping((first + (real)0.5 * way) * o.time, damping * way, stiffness,
                                  law.sliding * o.impulse, law);
-  add_correction(load, c, (o.impulse - half_step * push.pressing) * c.normal, o.moment * c.normal,
+  add_correction(w, c, (o.impulse - half_step * push.pressing) * c.normal, o.moment * c.normal,
                  rubbing - half_step * push.rubbing, rubbing * ((real)0.5 * o.time));
 }
 
@@ -118,7 +115,7 @@ INLINE real pressing_impulse(real overlap, real rate, real time, Flow end, PairL
 
 // A contact that has parted since the last boundary. Velocities there were those of the middle less what led on to the
 // prediction.
-INLINE void end_contact(World w, Load* load, ContactPoint c, PairLaw law) {
+INLINE void end_contact(World w, ContactPoint c, PairLaw law) {
   if (!was_touching(c.memory)) return;
   const real step = w.constants->time.x, half_step = w.constants->time.y, mass = c.root_mass * c.root_mass;
   const real damping = dashpot(law, c.root_mass);
@@ -145,7 +142,7 @@ INLINE void end_contact(World w, Load* load, ContactPoint c, PairLaw law) {
   const real3 rubbing = friction_force(slip * time, pressed, law, c.root_mass) -
                         gripping(spring * time + slip * ((real)0.5 * time * time), damped * time, stiffness,
                                  law.sliding * pressed, law);
-  add_correction(load, c, (impulse - half_step * plain) * c.normal, (moment - step * half_step * plain) * c.normal,
+  add_correction(w, c, (impulse - half_step * plain) * c.normal, (moment - step * half_step * plain) * c.normal,
                  rubbing - half_step * before,
                  (step - (real)0.5 * time) * rubbing - step * half_step * before);
 }
