@@ -102,7 +102,8 @@ INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real pressing,
   return t;
 }
 
-INLINE real pressing_impulse(real overlap, real rate, real time, Flow end, PairLaw law, real root_mass, real damping) {
+INLINE real pressing_impulse(real overlap, real rate, real time, Flow end, PairLaw law, real root_mass,
+                             real damping) {
   const real mass = root_mass * root_mass;
   const Rise rise = rise_of(overlap, 0, law);
   const Flow middle = flow_of(overlap, rate, (real)0.5 * time, law.stiffness, damping, mass);
