@@ -1,42 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What acts on the second of two bodies at one contact. Every detector, for spheres and walls alike, ends here.
-typedef struct {
-  real3 normal;         // from the first body to the second
-  real3 velocity;       // of the second's centre relative to the first's, or to the wall's surface
-  real3 rolling;        // what turning takes away from the slip
-  real3 spin;           // of the second relative to the first
-  real3 surface;        // velocity of a wall's surface
-  real3 wall_spin;
-  real overlap;         // δ_b
-  real reach_overlap;   // δ_e
-  real root_mass;       // of the effective mass
-  real radius;          // effective
-  real arm;             // of the torque on the second
-  real duration;        // for which springs are stretched: a step, or 0 at the start
-  global real4* memory;
-  real share;           // of the contact's energy that is the second body's: 1/2, or 1 where the first never moves
-} ContactPoint;
-
-typedef struct {
-  real3 force;
-  Turning turning;
-  Account account;
-} Load;
-
-INLINE void press(Load* load, ContactPoint c, PairLaw law) {
+INLINE Push press(World w, Load* load, ContactPoint c, PairLaw law) {
   const real separating = c.velocity.x * c.normal.x + c.velocity.y * c.normal.y + c.velocity.z * c.normal.z;
   const Rise rise = rise_of(c.overlap, c.radius, law);
-  const real pressing = normal_force(c.overlap, separating, law, c.root_mass, rise);
+  const real braked = refined_rate(w, c, separating, law.stiffness * rise.slope, dashpot(law, c.root_mass) * rise.root);
+  const real pressing = normal_force(c.overlap, braked, law, c.root_mass, rise);
   const real3 slip = c.velocity - separating * c.normal - c.rolling;
   real3 rubbing = friction_force(slip, pressing, law, c.root_mass);
-  const Strain strain = {slip, c.normal, pressing, c.overlap, c.root_mass, c.duration, c.share};
+  const real3 damped = refined_slip(w, c, slip, law.spring * rise.factor, spring_damping_of(law, c.root_mass, rise));
+  const Turnover turnover = c.turnover.since >= 0 ? c.turnover : turnover_of(w, c, law, pressing, slip);
+  const Strain strain = {slip, damped, c.normal, pressing, c.overlap, c.root_mass, c.duration, c.ahead, c.share,
+                         turnover};
   stretch_spring(&rubbing, c.memory, strain, law, rise, &load->account);
   const real3 torque = torque_of(rubbing, c.arm, c.normal);
   turn_body(&load->turning, torque);
   const real elastic = law.stiffness * rise.factor * c.overlap;
   const Rolling roll = {c.spin,     c.wall_spin, c.normal, c.radius, elastic, pressing, law.spring * rise.factor,
-                        c.duration, c.share,     c.memory};
+                        c.duration, c.ahead,     c.share,  turnover.since, c.memory};
   resist_rolling(&load->turning, roll, law, &load->account);
   const real3 force = pressing * c.normal + rubbing;
   load->force += force;
@@ -44,6 +24,8 @@ INLINE void press(Load* load, ContactPoint c, PairLaw law) {
   enter_normal(&load->account, c.share, elastic_energy(c.overlap, law, rise), dashpot, c.surface);
   enter_friction(&load->account, rubbing, torque, c.surface);
   enter_force(&load->account, c.share, force, c.surface);
+  const Push push = {slip, pressing, rubbing, rise};
+  return push;
 }
 
 INLINE void attract(Load* load, ContactPoint c, PairLaw law) {
@@ -53,10 +35,15 @@ INLINE void attract(Load* load, ContactPoint c, PairLaw law) {
   enter_force(&load->account, c.share, force, c.surface);
 }
 
-INLINE void meet(Load* load, ContactPoint c, PairLaw law) {
-  if (c.overlap > 0)
-    press(load, c, law);
-  else
+INLINE void meet(World w, Load* load, ContactPoint c, PairLaw law) {
+  c.turnover = no_turnover();
+  if (c.overlap > 0) {
+    const Onset onset = onset_of(w, &c, law);
+    const Push push = press(w, load, c, law);
+    correct_onset(w, c, law, onset, push);
+  } else {
+    end_contact(w, c, law);
     forget(c.memory);
+  }
   if (reaches_farther() && c.reach_overlap > 0) attract(load, c, law);
 }

@@ -22,7 +22,7 @@ INLINE void meet_cylinders(World w, Load* load, Body self, int step) {
     const Separation s = from_axis(self.position, shape);
     const Reach reach = reach_of(w, self.index, self.position);
     ContactPoint c = wall_contact(w, self, slot, step);
-    if (!touches_cylinder(s, reach, shape, inside)) {
+    if (!touches_cylinder(s, reach, shape, inside) && !was_touching(c.memory)) {
       miss_wall(w, load, c, slot);
       continue;
     }

@@ -4,8 +4,9 @@
 // two are mirror images to the last bit, since nothing here depends on which body is the second but by a sign.
 // The fourth component of a spring is the overlap of the contact when it was stretched, 0 while the bodies are apart.
 typedef struct {
-  real3 slip, normal;
-  real pressing, overlap, root_mass, duration, share;
+  real3 slip, damped, normal;  // what stretches the spring, and what the dashpot takes
+  real pressing, overlap, root_mass, duration, ahead, share;
+  Turnover turnover;
 } Strain;
 
 INLINE global real4* memory_of_pair(World w, int slot) { return w.springs + slot * MEMORY_WORDS; }
@@ -49,14 +50,23 @@ INLINE Grip gripped(real3 spring, real3 damped, real stiffness, real limit, Pair
   return g;
 }
 
+INLINE real spring_damping_of(PairLaw law, real root_mass, Rise rise) {
+  return (law.spring_damping + law.spring_damping_root_mass * root_mass) * rise.root;
+}
+
 INLINE void stretch_spring(real3* rubbing, global real4* memory, Strain s, PairLaw law, Rise rise, Account* account) {
   if (!(law.history & REMEMBERS)) return;
   const real stiffness = law.spring * rise.factor;
-  const real damping = (law.spring_damping + law.spring_damping_root_mass * s.root_mass) * rise.root;
-  const real3 trial = turned(kept(*memory, s.overlap, law), s.normal, law) + s.slip * s.duration;
-  const Grip g = gripped(trial, damping * s.slip, stiffness, law.sliding * magnitude(s.pressing), law);
+  const real damping = spring_damping_of(law, s.root_mass, rise);
+  const real3 damped = damping * s.damped;
+  const real3 held = turned(kept(*memory, s.overlap, law), s.normal, law);
+  real3 trial = held + s.slip * s.duration;
+  if (s.turnover.since >= 0)
+    trial = gripped(held, damping * s.turnover.slip, stiffness, s.turnover.limit, law).spring +
+            s.slip * s.turnover.since;
+  const Grip g = gripped(trial, damped, stiffness, law.sliding * magnitude(s.pressing), law);
   *rubbing -= g.force;
-  *memory = (real4)(g.spring, s.overlap);
+  *memory = (real4)(led_on(g.spring, s.slip, s.ahead), s.overlap);
   enter_spring(account, s.share, (real)0.5 * stiffness * product_of(g.spring, g.spring));
 }
 

@@ -10,7 +10,7 @@ INLINE void meet_rectangles(World w, Load* load, Body self, int step) {
     const Separation s = rectangle_separation(self.position, shape, w.box);
     const Reach reach = reach_of(w, self.index, self.position);
     ContactPoint c = wall_contact(w, self, slot, step);
-    if (!within(s, reach)) {
+    if (!within(s, reach) && !was_touching(c.memory)) {
       miss_wall(w, load, c, slot);
       continue;
     }

@@ -4,10 +4,11 @@
 typedef struct {
   real factor;
   real root;
+  real slope;   // of the normal force by its overlap, over k
   real energy;
 } Rise;
 
 INLINE Rise rise_of(real overlap, real radius, PairLaw law) {
-  const Rise rise = {1, 1, (real)0.5};
+  const Rise rise = {1, 1, 1, (real)0.5};
   return rise;
 }

@@ -9,6 +9,7 @@ typedef struct {
   real elastic;       // normal force of the overlap alone
   real pressing;      // normal force
   real stiffness;     // k_t
-  real duration, share;
+  real duration, ahead, share;
+  real since;         // of a moment with a limit of 0, kernels/turnover.cl
   global real4* memory;
 } Rolling;

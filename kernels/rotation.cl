@@ -26,6 +26,20 @@ INLINE real3 rolling_of_pair(World w, int i, real arm_i, int j, real arm_j, real
   return across(arm_i * w.spins[i].xyz + arm_j * w.spins[j].xyz, normal);
 }
 
+// The same with other spins; a wall, whose j is below 0, has none.
+INLINE real3 rolling_in(const global real4* spins, int i, real arm_i, int j, real arm_j, real3 normal) {
+  const real3 own = arm_i * spins[i].xyz;
+  return across(j < 0 ? own : own + arm_j * spins[j].xyz, normal);
+}
+
+// What turning adds to the inverse mass that a force along the slip has to move.
+INLINE real turning_mobility(World w, int i, real arm_i, int j, real arm_j) {
+  const real own = arm_i * arm_i * w.spins[i].w;
+  return j < 0 ? own : own + arm_j * arm_j * w.spins[j].w;
+}
+
+INLINE real inverse_inertia_of(World w, int i) { return w.spins[i].w; }
+
 INLINE real3 rolling_on_wall(World w, int i, real arm, real3 normal) {
   return across(arm * w.spins[i].xyz, normal);
 }

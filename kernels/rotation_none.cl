@@ -12,6 +12,11 @@ INLINE Turning no_turning() {
 INLINE real torque_arm(real radius, real overlap, PairLaw law) { return 0; }
 INLINE real3 spin_of(World w, int i) { return (real3)(0); }
 INLINE real3 rolling_of_pair(World w, int i, real arm_i, int j, real arm_j, real3 normal) { return (real3)(0); }
+INLINE real3 rolling_in(const global real4* spins, int i, real arm_i, int j, real arm_j, real3 normal) {
+  return (real3)(0);
+}
+INLINE real turning_mobility(World w, int i, real arm_i, int j, real arm_j) { return 0; }
+INLINE real inverse_inertia_of(World w, int i) { return 0; }
 INLINE real3 rolling_on_wall(World w, int i, real arm, real3 normal) { return (real3)(0); }
 INLINE real3 torque_of(real3 rubbing, real arm, real3 normal) { return (real3)(0); }
 INLINE void turn_body(Turning* t, real3 torque) {}

@@ -14,7 +14,7 @@ INLINE void resolve_all_pairs(World w, int i, int step) {
 INLINE void record(World w, int i, int step, int slot, global Position* seen_positions, global real4* seen_velocities,
                    global real4* seen_spins, global real4* seen_orientations) {
   const int entry = slot * get_global_size(0) + i;
-  seen_positions[entry] = w.positions[i];
+  seen_positions[entry] = position_at_boundary(w, i);
   seen_velocities[entry] = (real4)(velocity_at_boundary(w, i, step), 0);
   report_spin(w, i, step, seen_spins, entry);
   report_orientation(w, i, seen_orientations, entry);
@@ -45,4 +45,5 @@ kernel void run_small(WORLD_PARAMETERS, const int set_up, const int first, const
   }
   w.reported[i] = (real4)(velocity_at_boundary(w, i, last), 0);
   report_spin(w, i, last, w.reported_spins, i);
+  take_shift(w, i);
 }

@@ -35,4 +35,5 @@ kernel void report(WORLD_PARAMETERS, const int step) {
   const int i = get_global_id(0);
   w.reported[i] = (real4)(velocity_at_boundary(w, i, step), 0);
   report_spin(w, i, step, w.reported_spins, i);
+  take_shift(w, i);
 }

@@ -4,7 +4,14 @@ INLINE ContactPoint wall_contact(World w, Body self, int slot, int step) {
   ContactPoint c;
   c.root_mass = square_root(1 / self.inverse_mass);
   c.radius = in_metres(radius_of(self.position), w.box);
-  c.duration = step > 0 ? w.constants->time.x : 0;
+  c.duration = stretch_time(w, step);
+  c.ahead = w.constants->time.y;
+  c.starting = step == 0;
+  c.foresight = step > 0 ? w.constants->time.x : 0;
+  c.self = self.index;
+  c.other = -1;
+  c.other_arm = 0;
+  c.inverse_mass = self.inverse_mass;
   c.memory = memory_of_wall(w, slot);
   c.share = 1;
   return c;
@@ -22,7 +29,7 @@ INLINE void meet_wall(World w, Load* load, Body self, ContactPoint c, real3 from
   c.rolling = rolling_on_wall(w, self.index, c.arm, c.normal);
   c.spin = winding_on_wall(spin_of(w, self.index) - c.wall_spin, c.radius, c.overlap, law);
   open_wall(&load->account);
-  meet(load, c, law);
+  meet(w, load, c, law);
   close_wall(w, slot, load->account, touched + stand.offset.xyz);
   if (c.overlap > w.constants->limits.x * c.radius)
     blame(w, self.index, step, TOO_DEEP, -1 - surface->wall.y, OVERLAPPED_AT);

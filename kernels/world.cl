@@ -127,6 +127,9 @@ typedef struct {
   global real4* reported_spins;
   global real4* orientations;         // quaternions, the scalar last
   global real4* orientation_rests;
+  global real4* middles;              // velocities in the middle of the step, where forces take predicted ones
+  global real4* spin_middles;
+  global real4* corrections;          // kernels/corrections_kept.cl
   global real4* springs;              // a memory for every entry of the list, or of the table of all pairs
   global real4* wall_springs;         // for every particle and wall: planes, rectangles, cylinders
   global int4* faults;                // step, cause, partner or face
@@ -143,15 +146,16 @@ typedef struct {
       global Tally *tallies, global LedgerSums *sums, global WallTally *wall_tallies,                      \
       global WallSums *wall_sums, global real4 *spins, global real4 *spin_rests,                           \
       global real4 *angular_accelerations, global real4 *reported_spins, global real4 *orientations,       \
-      global real4 *orientation_rests, global real4 *springs, global real4 *wall_springs,                  \
+      global real4 *orientation_rests, global real4 *middles, global real4 *spin_middles,                  \
+      global real4 *corrections, global real4 *springs, global real4 *wall_springs,                        \
       global int4 *faults, global int *signals, const int table_origin
 
 #define WORLD                                                                                              \
   {box,       constants,  laws,         planes,        rectangles, cylinders,             materials,       \
    reaches,   drag_rates, gravity_table, stands,       positions,  velocities,            rests,           \
    accelerations, reported, tallies,    sums,          wall_tallies, wall_sums,           spins,           \
-   spin_rests, angular_accelerations,   reported_spins, orientations, orientation_rests,  springs,         \
-   wall_springs, faults,  signals,      table_origin}
+   spin_rests, angular_accelerations,   reported_spins, orientations, orientation_rests,  middles,         \
+   spin_middles, corrections, springs,  wall_springs,  faults,     signals,               table_origin}
 
 typedef struct {
   Position position;

@@ -119,21 +119,36 @@ BuildOptions with_every_stage(BuildOptions lean) {
 
 namespace {
 
+std::vector<std::string> memory_files(const BuildOptions& o) {
+  if (!o.history) return {o.corrects() ? "touch.cl" : "history_none.cl"};
+  if (o.corrects()) return {"history.cl", "onset_spring.cl"};
+  return {"history.cl"};
+}
+
+std::vector<std::string> contact_files(const BuildOptions& o) {
+  if (!o.corrects()) return {"contact_point.cl", "onset_none.cl", "contact.cl"};
+  return {"contact_point.cl", "onset_flow.cl", "onset_corrected.cl", "contact.cl"};
+}
+
 std::vector<std::string> law_files(const BuildOptions& o) {
   const bool rolls = o.rolling_constant || o.rolling_spring;
-  return {o.ledger ? "ledger_kept.cl" : "ledger_none.cl",
-          o.ledger ? "booking.cl" : "booking_none.cl",
-          o.hertz ? "rise_hertz.cl" : "rise_none.cl",
-          "linear_normal.cl",
-          o.friction ? "friction_viscous.cl" : "friction_none.cl",
-          o.cohesion ? "cohesion_linear.cl" : "cohesion_none.cl",
-          o.rotation ? "rotation.cl" : "rotation_none.cl",
-          "rolling_point.cl",
-          o.rolling_constant ? "rolling_constant.cl" : "rolling_constant_none.cl",
-          o.rolling_spring ? "rolling_spring.cl" : "rolling_spring_none.cl",
-          rolls ? "rolling.cl" : "rolling_none.cl",
-          o.history ? "history.cl" : "history_none.cl",
-          "contact.cl"};
+  std::vector<std::string> files{o.ledger ? "ledger_kept.cl" : "ledger_none.cl",
+                                 o.ledger ? "booking.cl" : "booking_none.cl",
+                                 o.hertz ? "rise_hertz.cl" : "rise_none.cl",
+                                 "linear_normal.cl",
+                                 o.friction ? "friction_viscous.cl" : "friction_none.cl",
+                                 o.cohesion ? "cohesion_linear.cl" : "cohesion_none.cl",
+                                 o.rotation ? "rotation.cl" : "rotation_none.cl",
+                                 o.corrects() ? "corrections_kept.cl" : "corrections_none.cl",
+                                 o.predicts() ? "stretch_trapezoid.cl" : "stretch_whole.cl",
+                                 "rolling_point.cl",
+                                 o.rolling_constant ? "rolling_constant.cl" : "rolling_constant_none.cl",
+                                 o.rolling_spring ? "rolling_spring.cl" : "rolling_spring_none.cl",
+                                 rolls ? "rolling.cl" : "rolling_none.cl",
+                                 "turnover.cl"};
+  for (const auto& part : {memory_files(o), contact_files(o)})
+    files.insert(files.end(), part.begin(), part.end());
+  return files;
 }
 
 std::vector<std::string> detector_files(const BuildOptions& o) {
@@ -157,12 +172,18 @@ std::vector<std::string> orientation_files(OrientationUpdate update) {
   return {};
 }
 
+std::vector<std::string> integrator_files(const BuildOptions& o) {
+  if (!o.predicts())
+    return {std::string(name_of(o.integrator)) + ".cl", "boundary.cl",
+            o.rotation ? "boundary_spin.cl" : "boundary_spin_none.cl"};
+  return {o.rotation ? "predicted_spin.cl" : "predicted_spin_none.cl", "velocity_verlet_predicted.cl",
+          "boundary_predicted.cl", o.rotation ? "boundary_spin_predicted.cl" : "boundary_spin_none.cl"};
+}
+
 std::vector<std::string> motion_files(const BuildOptions& o) {
   std::vector<std::string> files{"forces.cl", "drift.cl"};
-  for (const std::string& file : orientation_files(o.orientation)) files.push_back(file);
-  for (const std::string& file : {std::string(name_of(o.integrator)) + ".cl", std::string("boundary.cl"),
-                                  std::string(o.rotation ? "boundary_spin.cl" : "boundary_spin_none.cl")})
-    files.push_back(file);
+  for (const auto& part : {orientation_files(o.orientation), integrator_files(o)})
+    files.insert(files.end(), part.begin(), part.end());
   return files;
 }
 
@@ -179,7 +200,7 @@ std::vector<std::string> kernel_files(const BuildOptions& o, bool pocl) {
   std::vector<std::string> files = number_files(o.precision, pocl);
   for (const auto& part : {law_files(o), detector_files(o), fields, motion_files(o), path})
     files.insert(files.end(), part.begin(), part.end());
-  if (o.history && !o.small) files.push_back("carry.cl");
+  if (o.remembers() && !o.small) files.push_back("carry.cl");
   return files;
 }
 

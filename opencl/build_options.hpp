@@ -36,6 +36,13 @@ struct BuildOptions {
   bool ledger = false;
   bool small = false;  ///< one work-group, all pairs
 
+  /// Forces take velocities predicted for the boundary.
+  bool predicts() const { return integrator == Integrator::velocity_verlet_predicted || corrects(); }
+  /// Contacts that begin or end within a step act for the time that they lasted.
+  bool corrects() const { return integrator == Integrator::onset_corrected; }
+  /// Contacts have a memory: of their springs, or of being there.
+  bool remembers() const { return history || corrects(); }
+
   bool operator==(const BuildOptions&) const = default;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opencl/engine.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <mutex>
 
 #include "model/errors.hpp"
@@ -33,6 +35,27 @@ bool takes_dense_path(Path path, const Scene& scene, const Request& request, dou
   return support.yes;
 }
 
+/// A contact that ends is heard of while its pair is listed, so a list may not end where contacts do. A pair
+/// that parts by more than this in one step loses the correction alone.
+double skin_for_endings(const Scene& scene, double skin) {
+  if (scene.run.integrator != Integrator::onset_corrected) return skin;
+  double smallest = std::numeric_limits<double>::max();
+  for (const Particle& p : scene.particles) smallest = std::min(smallest, p.diameter);
+  return scene.particles.empty() ? skin : std::max(skin, 0.1 * smallest);
+}
+
+Support corrections_supported(const Scene& scene, const Request& request) {
+  if (scene.run.integrator != Integrator::onset_corrected) return {};
+  if (request.ledger)
+    return Support::no(
+        "the ledger does not book what onset_corrected does beside the forces; take velocity_verlet");
+  for (std::size_t a = 0; a < scene.contacts.materials(); ++a)
+    for (std::size_t b = a; b < scene.contacts.materials(); ++b)
+      if (scene.contacts.has(a, b) && std::holds_alternative<HertzNormal>(scene.contacts.at(a, b).normal))
+        return Support::no("onset_corrected is built for linear contacts; take velocity_verlet for Hertz");
+  return {};
+}
+
 /// A tenth of the mean diameter: the usual compromise between long lists and frequent ones.
 double given_or_usual_skin(const Scene& scene) {
   if (scene.run.skin >= 0.0) return scene.run.skin;
@@ -54,11 +77,12 @@ std::string OpenClEngine::name() const {
   return "opencl:" + std::string(name_of(options_.precision));
 }
 
-Support OpenClEngine::supports(const Scene& scene, const Request&) const {
+Support OpenClEngine::supports(const Scene& scene, const Request& request) const {
   if (options_.precision == Precision::mixed_precision)
     return Support::no("mixed precision is not built yet");
   if (options_.precision == Precision::double_precision && !workshop_->has_double_precision())
     return Support::no("the device " + workshop_->device_name() + " has no double precision");
+  if (const Support corrected = corrections_supported(scene, request); !corrected) return corrected;
   return within_limits(scene, options_.precision);
 }
 
@@ -71,7 +95,8 @@ std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& requ
 std::unique_ptr<RestorableRun> OpenClEngine::begin(const Scene& scene, const Request& request) {
   const bool small = takes_small_path(options_.path, scene);
   const bool searched = !options_.skin && scene.run.skin == RunSettings::searched_skin;
-  const double skin = searched ? first_skin(scene) : options_.skin.value_or(given_or_usual_skin(scene));
+  const double wanted = searched ? first_skin(scene) : options_.skin.value_or(given_or_usual_skin(scene));
+  const double skin = skin_for_endings(scene, wanted);
   if (!small && takes_dense_path(options_.path, scene, request, skin))
     return std::make_unique<DenseRun>(workshop_, scene, options_.precision, skin, searched);
   BuildOptions build = build_options(scene, request, options_.precision, small);

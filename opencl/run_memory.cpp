@@ -12,6 +12,11 @@ const ContactLaws& laws_of(const Scene& scene, std::int32_t a, std::int32_t b) {
   return scene.contacts.at(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
 }
 
+/// Others may remember that they are there, which is no news.
+bool keeps_spring(const ContactLaws& laws) {
+  return std::holds_alternative<HistoryFriction>(laws.friction);
+}
+
 bool keeps_overlap(const ContactLaws& laws) {
   const auto* history = std::get_if<HistoryFriction>(&laws.friction);
   return history != nullptr && history->memory == SpringMemory::force;
@@ -47,6 +52,7 @@ void DeviceRun::append_memory(std::vector<ContactMemory>& found, std::size_t i, 
   const Particle &self = scene_.particles[i], &other = scene_.particles[j];
   const std::size_t words = options_.rolling_spring ? 2 : 1;
   if (decoder_->fourth(memories, words * slot) == 0.0 || (i > j && !other.fixed)) return;
+  if (!keeps_spring(laws_of(scene_, self.material, other.material))) return;
   ContactMemory memory = memory_at(memories, slot, laws_of(scene_, self.material, other.material));
   (i < j ? memory.tangential_displacement : memory.rolling_torque) *= -1.0;
   memory.first = i < j ? self.id : other.id;
@@ -64,6 +70,7 @@ void DeviceRun::append_wall_memories(std::vector<ContactMemory>& found) {
       const std::size_t here = slot++;
       if (decoder_->fourth(memories, words * here) == 0.0) return;
       const Particle& self = scene_.particles[i];
+      if (!keeps_spring(laws_of(scene_, self.material, wall.material))) return;
       ContactMemory memory = memory_at(memories, here, laws_of(scene_, self.material, wall.material));
       memory.first = self.id;
       memory.second = -1 - wall.index;

@@ -9,6 +9,9 @@
 namespace grainproof::opencl {
 namespace {
 
+/// CORRECTION_WORDS of kernels/corrections_kept.cl.
+constexpr std::size_t correction_words = 3;
+
 Bytes repeated(const Bytes& bytes, std::size_t times) {
   Bytes all;
   all.reserve(bytes.size() * times);
@@ -21,7 +24,7 @@ Bytes repeated(const Bytes& bytes, std::size_t times) {
 World make_world(Workshop& workshop, const SceneImage& image, const Decoder& decoder,
                  const BuildOptions& options) {
   const std::size_t turning = options.rotation ? image.padded : 1;
-  const std::size_t remembering = options.history ? image.padded : 1;
+  const std::size_t remembering = options.remembers() ? image.padded : 1;
   const std::size_t booked = options.ledger ? image.padded : 1;
   const std::size_t booked_walls =
       options.ledger ? std::max<std::size_t>(image.padded * image.near.count(), 1) : 1;
@@ -54,6 +57,9 @@ World make_world(Workshop& workshop, const SceneImage& image, const Decoder& dec
   w.spin_rests = workshop.upload(vectors(turning));
   w.angular_accelerations = workshop.upload(vectors(turning));
   w.reported_spins = workshop.upload(spins);
+  w.middles = options.predicts() ? workshop.upload(image.velocities) : workshop.upload(vectors(1));
+  w.spin_middles = options.predicts() ? workshop.upload(spins) : workshop.upload(vectors(1));
+  w.corrections = workshop.upload(vectors(options.corrects() ? correction_words * image.padded : 1));
   w.wall_tallies = workshop.upload(Bytes(booked_walls * decoder.wall_tally_bytes()));
   w.wall_sums = workshop.upload(Bytes(booked_walls * decoder.wall_sums_bytes()));
   const std::size_t lying = options.orientation != OrientationUpdate::none ? image.padded : 1;

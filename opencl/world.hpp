@@ -15,6 +15,7 @@ struct World {
   cl::Buffer positions, velocities, rests, accelerations, reported, tallies, sums, faults, signals;
   cl::Buffer wall_tallies, wall_sums;
   cl::Buffer spins, spin_rests, angular_accelerations, reported_spins, orientations, orientation_rests;
+  cl::Buffer middles, spin_middles, corrections;
   cl::Buffer springs, wall_springs;
   cl_int table_origin = 0;
 
@@ -22,7 +23,8 @@ struct World {
     return std::tie(box, constants, laws, planes, rectangles, cylinders, materials, reaches, drag_rates,
                     gravity_table, stands, positions, velocities, rests, accelerations, reported, tallies,
                     sums, wall_tallies, wall_sums, spins, spin_rests, angular_accelerations, reported_spins,
-                    orientations, orientation_rests, springs, wall_springs, faults, signals, table_origin);
+                    orientations, orientation_rests, middles, spin_middles, corrections, springs,
+                    wall_springs, faults, signals, table_origin);
   }
 };
 

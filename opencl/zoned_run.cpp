@@ -18,7 +18,7 @@ ZonedRun::ZonedRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const
                    const ZoneGrid& grid, std::size_t work_group)
     : DeviceRun(std::move(workshop), scene, options, grid, work_group),
       list_(*workshop_, program_, image_, *decoder_, grid, work_group,
-            options.history ? memory_bytes(options, *decoder_) : 0) {}
+            options.remembers() ? memory_bytes(options, *decoder_) : 0) {}
 
 void ZonedRun::take_steps(std::int64_t steps) {
   const std::int64_t target = done() + steps;
@@ -42,7 +42,7 @@ void ZonedRun::settle() {
 void ZonedRun::build_list(std::int64_t at_step) {
   list_.build(world_);
   if (at_step == 0 && !scene_.remembered.empty()) remember_pairs();
-  if (options_.history) world_.springs = list_.springs();
+  if (options_.remembers()) world_.springs = list_.springs();
   ++counters_.list_rebuilds;
   counters_.listed_pairs = list_.entries() / 2;
   built_at_ = at_step;

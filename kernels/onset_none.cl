@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Grainproof authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Contacts act over whole steps.
+typedef struct {
+  char nothing;
+} Onset;
+
+INLINE bool was_touching(const global real4* memory) { return false; }
+INLINE Onset onset_of(World w, ContactPoint* c, PairLaw law) {
+  Onset o = {0};
+  return o;
+}
+INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push push) {}
+INLINE void end_contact(World w, ContactPoint c, PairLaw law) {}
+INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real pressing, real3 slip) { return no_turnover(); }
+INLINE real refined_rate(World w, ContactPoint c, real rate, real stiffness, real damping) { return rate; }
+INLINE real3 refined_slip(World w, ContactPoint c, real3 slip, real stiffness, real damping) { return slip; }
