@@ -16,7 +16,7 @@ std::size_t size_of(const cl::Buffer& buffer) {
 
 /// What kernels change and read again, but for the springs of pairs, which each path keeps in its own way.
 /// The last four are the ledger's.
-std::array<std::pair<const char*, cl::Buffer*>, 17> kept_buffers(World& w) {
+std::array<std::pair<const char*, cl::Buffer*>, 20> kept_buffers(World& w) {
   return {{{"positions", &w.positions},
            {"velocities", &w.velocities},
            {"rests", &w.rests},
@@ -28,6 +28,9 @@ std::array<std::pair<const char*, cl::Buffer*>, 17> kept_buffers(World& w) {
            {"reported_spins", &w.reported_spins},
            {"orientations", &w.orientations},
            {"orientation_rests", &w.orientation_rests},
+           {"middles", &w.middles},
+           {"spin_middles", &w.spin_middles},
+           {"corrections", &w.corrections},
            {"wall_springs", &w.wall_springs},
            {"faults", &w.faults},
            {"tallies", &w.tallies},
@@ -132,7 +135,7 @@ void ZonedRun::unpack_path(const Sections& own) {
   unpack_one(own, "built_at_step", built_at_);
   unpack_one(own, "lifetime", lifetime_);
   list_.unpack_from(own);
-  if (options_.history) world_.springs = list_.springs();
+  if (options_.remembers()) world_.springs = list_.springs();
   counters_.listed_pairs = list_.entries() / 2;
   enqueued_ = done();
 }

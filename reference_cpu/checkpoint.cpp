@@ -37,6 +37,7 @@ Checkpoint ReferenceRun::checkpoint() {
   pack_one(made.own, "first_step", first_step_);
   pack_bodies(made.own, bodies_);
   pack_memories(made.own, history_);
+  pack(made.own, "touching", touching_.memories());
   neighbours_.pack_into(made.own);
   space_order_.pack_into(made.own);
   if (!ledger_) return made;
@@ -51,6 +52,9 @@ void ReferenceRun::restore(const Sections& own) {
   bodies_ = bodies_of(scene_);
   unpack_bodies(own, bodies_);
   history_ = ContactHistory(unpacked_memories(own));
+  std::vector<Touching::Memory> touching;
+  unpack(own, "touching", touching);
+  touching_ = Touching(std::move(touching));
   neighbours_.unpack_from(own);
   space_order_.unpack_from(own);
   if (ledger_) ledger_->unpack_from(own);

@@ -43,7 +43,7 @@ ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger, const Beginning
       first_step_(beginning.step),
       step_(first_step_) {
   if (with_ledger) ledger_.emplace(scene_);
-  walls_.move_to(time());
+  walls_.move_to(static_cast<double>(first_step_) * scene_.run.step);
   if (bodies_.orientation.size() == beginning.orientation.size()) bodies_.orientation = beginning.orientation;
   find_neighbours();
   evaluate_forces(0.0);

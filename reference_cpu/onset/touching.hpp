@@ -13,6 +13,9 @@ class Touching {
     std::int32_t second;  ///< particle
   };
 
+  Touching() = default;
+  explicit Touching(std::vector<Memory> now) : now_(std::move(now)) {}
+
   void begin() {
     before_.swap(now_);
     now_.clear();
@@ -44,6 +47,8 @@ class Touching {
   /// Particle i becomes `place[i]`.
   void renumber(const std::vector<std::int32_t>& place);
 
+  const std::vector<Memory>& memories() const { return now_; }
+
  private:
   static bool precedes(const Memory& memory, std::int32_t first, std::int32_t second) {
     return memory.first != first ? memory.first < first : memory.second < second;
@@ -51,7 +56,7 @@ class Touching {
 
   std::vector<Memory> before_, now_, parted_;
   std::size_t next_ = 0;
-  const ContactSprings at_rest_{};
+  ContactSprings at_rest_;
 };
 
 }  // namespace grainproof::reference
