@@ -8,7 +8,7 @@ INLINE Push press(World w, Load* load, ContactPoint c, PairLaw law) {
   const real3 slip = c.velocity - separating * c.normal - c.rolling;
   real3 rubbing = friction_force(slip, pressing, law, c.root_mass);
   const real3 damped = refined_slip(w, c, slip, law.spring * rise.factor, spring_damping_of(law, c.root_mass, rise));
-  const Turnover turnover = c.turnover.since >= 0 ? c.turnover : turnover_of(w, c, law, pressing, slip);
+  const Turnover turnover = c.turnover.since >= 0 ? c.turnover : turnover_of(w, c, law, slip);
   const Strain strain = {slip, damped, c.normal, pressing, c.overlap, c.root_mass, c.duration, c.ahead, c.share,
                          turnover};
   stretch_spring(&rubbing, c.memory, strain, law, rise, &load->account);

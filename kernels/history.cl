@@ -63,7 +63,7 @@ INLINE void stretch_spring(real3* rubbing, global real4* memory, Strain s, PairL
   real3 trial = held + s.slip * s.duration;
   if (s.turnover.since >= 0)
     trial = gripped(held, damping * s.turnover.slip, stiffness, s.turnover.limit, law).spring +
-            s.slip * s.turnover.since;
+            s.turnover.way;
   const Grip g = gripped(trial, damped, stiffness, law.sliding * magnitude(s.pressing), law);
   *rubbing -= g.force;
   *memory = (real4)(led_on(g.spring, s.slip, s.ahead), s.overlap);

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A moment since the last boundary at which the Coulomb limit was lower than at either: where a contact begins, and
-// where it goes from pressing to pulling. What the limit leaves of a spring then is what goes on from there.
+// where it goes from pressing to pulling or back. What the limit leaves of a spring then is what goes on from there.
 typedef struct {
   real since;  // below 0 where there was none
   real3 slip;  // then
+  real3 way;   // of the slip since then
   real limit;
 } Turnover;
 
 INLINE Turnover no_turnover() {
-  const Turnover t = {-1, (real3)(0), 0};
+  const Turnover t = {-1, (real3)(0), (real3)(0), 0};
   return t;
 }

@@ -201,6 +201,8 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
 
   void add_ending(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
                   const BeforeParting& before, ContactSprings springs);
+  ContactSprings springs_before(const PairLaws& laws, const Encounter& meet, const BeforeParting& before,
+                                ContactSprings springs) const;
   BeforeParting before_parting(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
                                double effective_mass) const;
   Vec3 resist_to_the_end(const PairLaws& laws, const ContactPoint& point, const Vec3& rolling,
