@@ -83,11 +83,19 @@ analytic::Prestress prestress_of(const Scene& scene) {
   return scene.title.starts_with("random") ? analytic::Prestress::kept : analytic::Prestress::left_out;
 }
 
+/// friction.2: one variant's static branch is the stronger the longer the step is.
+bool holds_the_step(const Scene& scene) {
+  return std::holds_alternative<StepFriction>(scene.contacts.at(0, 0).friction);
+}
+
 }  // namespace
 
 Prediction::Prediction(const Scene& scene, std::string_view integrator)
-    : scene_(scene), scheme_(analytic::linear_scheme(integrator)), parts_(parts(0.0)) {
-  limit_ = scheme_.refines
+    : scene_(scene),
+      scheme_(analytic::linear_scheme(integrator)),
+      by_step_(scheme_.refines || holds_the_step(scene)),
+      parts_(parts(0.0)) {
+  limit_ = by_step_
                ? analytic::spectral_limit(
                      scheme_, [this](double step) { return parts(step); }, analytic::undamped_limit(parts_))
                : analytic::spectral_limit(scheme_, parts_);
@@ -95,14 +103,15 @@ Prediction::Prediction(const Scene& scene, std::string_view integrator)
 
 std::vector<analytic::LinearSystem> Prediction::parts(double step) const {
   std::vector<analytic::LinearSystem> bound;
-  for (const analytic::LinearSystem& part :
-       analytic::symmetric_parts(scene_, analytic::linearised(scene_, prestress_of(scene_), step)))
+  for (const analytic::LinearSystem& part : analytic::symmetric_parts(
+           scene_, analytic::linearised(scene_, prestress_of(scene_),
+                                        {.refining = scheme_.refines ? step : 0.0, .friction = step})))
     bound.push_back(analytic::without_free_motions(part));
   return bound;
 }
 
 double Prediction::growth(double step) const {
-  return analytic::growth_a_step(scheme_, scheme_.refines ? parts(step) : parts_, step);
+  return analytic::growth_a_step(scheme_, by_step_ ? parts(step) : parts_, step);
 }
 
 Scene perturbed(const Scene& scene, double size) {
