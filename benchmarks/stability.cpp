@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <sstream>
 #include <tuple>
@@ -13,6 +15,7 @@
 #include "benchmarks/common/stable_step.hpp"
 #include "benchmarks/common/subject.hpp"
 #include "model/errors.hpp"
+#include "report/numbers.hpp"
 
 namespace grainproof::bench {
 namespace {
@@ -165,13 +168,37 @@ void measure_case(benchmark::State& state, const Settings& settings, const std::
   state.counters["bar"] = of.friction != "none" || random ? friction_bar : linear_bar;
 }
 
+/// How much of the map is drawn, once a minute: a map takes hours.
+class Told {
+ public:
+  void expect_one() { ++expected_; }
+
+  void tell() {
+    const auto now = Clock::now();
+    if (done_++ == 0) began_ = told_ = now;
+    if (now - told_ < std::chrono::minutes(1)) return;
+    told_ = now;
+    const double spent = std::chrono::duration<double>(now - began_).count();
+    std::cout << "note: stability: " << done_ << " of " << expected_ << ", "
+              << report::duration(spent * (expected_ - done_) / (done_ - 1)) << " to go" << std::endl;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  int expected_ = 0, done_ = 0;
+  Clock::time_point began_, told_;
+};
+
 void add_row(const std::string& name, const std::function<void(benchmark::State&)>& measure) {
+  static Told told;
+  told.expect_one();
   add_manual(name, [measure](benchmark::State& state) {
     try {
       measure(state);
     } catch (const std::exception& failure) {
       state.SkipWithError(failure.what());
     }
+    told.tell();
   });
 }
 

@@ -26,7 +26,7 @@ struct Finesse {
 /// and the Coulomb limit is near.
 Finesse finesse_of(const SteppingEngine& engine, const Scene& scene) {
   if (engine.provenance().precision != "single") return {1e-7, 1e-10, 13.0, 20.0};
-  return {scene.rotation ? 1e-5 : 1e-4, 1e-5, 5.0, 8.0};
+  return {scene.rotation ? 1e-5 : 1e-4, 1e-5, 7.0, 10.0};
 }
 
 constexpr double bound = 1e4;  // of the kinetic energy
