@@ -22,11 +22,11 @@ struct Finesse {
   double from, to;  ///< ln of the growth over which a rate is measured: the later, the purer is its motion
 };
 
-/// Single precision has to move a body by more than a quantum of its positions; with friction it need not,
-/// and the Coulomb limit is near.
+/// Single precision has to move a body by more than a quantum of its positions, unless the motion grows
+/// anyway; with friction it need not, and the Coulomb limit is near.
 Finesse finesse_of(const SteppingEngine& engine, const Scene& scene) {
   if (engine.provenance().precision != "single") return {1e-7, 1e-10, 13.0, 20.0};
-  return {scene.rotation ? 1e-5 : 1e-4, 1e-5, 7.0, 10.0};
+  return {scene.rotation ? 1e-5 : 1e-4, 1e-7, 11.0, 14.5};
 }
 
 constexpr double bound = 1e4;  // of the kinetic energy
