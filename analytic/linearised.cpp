@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "analytic/contact_scales.hpp"
 #include "analytic/linear_system.hpp"
@@ -29,8 +30,8 @@ struct Touch {
 
 class Assembly {
  public:
-  Assembly(const Scene& scene, Prestress prestress, double refining_step)
-      : scene_(scene), prestress_(prestress), refining_step_(refining_step) {
+  Assembly(const Scene& scene, Prestress prestress, const StepOf& step)
+      : scene_(scene), prestress_(prestress), step_(step) {
     for (const Particle& particle : scene.particles) {
       first_coordinate_.push_back(particle.fixed ? -1 : coordinates_);
       if (!particle.fixed) coordinates_ += scene.rotation ? 6 : 3;
@@ -140,20 +141,37 @@ class Assembly {
   }
 
   double refined(double eta, double stiffness, double mass) const {
-    const double c = 0.5 * refining_step_ * eta / mass;
-    const double kappa = 0.5 * refining_step_ * refining_step_ * stiffness / mass;
+    const double c = 0.5 * step_.refining * eta / mass;
+    const double kappa = 0.5 * step_.refining * step_.refining * stiffness / mass;
     return eta * (1.0 + c) / (1.0 + c + kappa);
+  }
+
+  /// c of friction.2.
+  double creep_rate(const Touch& touch, double eta) const {
+    const double impact_time =
+        std::numbers::pi * std::sqrt(touch.mass / std::get<LinearNormal>(touch.laws->normal).stiffness);
+    return std::visit(
+        Overloaded{
+            [](const auto&) -> double { throw InputRefused("found friction without a static branch"); },
+            [&](const StepFriction& law) { return law.stiffness * step_.friction; },
+            [&](const CollisionTimeFriction& law) { return law.stiffness * impact_time; },
+            [&](const DampedFriction& law) { return law.stiffness * impact_time + eta; },
+        },
+        touch.laws->friction);
   }
 
   void add_friction(const Touch& touch, const Vec3& direction, double eta) {
     if (std::holds_alternative<Frictionless>(touch.laws->friction)) return;
     const auto* spring = std::get_if<HistoryFriction>(&touch.laws->friction);
-    if (!spring) throw InputRefused("found friction without memory; expected a tangential spring or none");
-    const double shortened = spring->arm == TorqueArm::overlap ? 0.5 * touch.overlap : 0.0;
+    const double shortened = spring && spring->arm == TorqueArm::overlap ? 0.5 * touch.overlap : 0.0;
     const auto arm = [&](Index body) {
       return body < 0 ? 0.0 : 0.5 * scene_.particles[body].diameter - shortened;
     };
     const VectorXd slip = relative(touch, direction, {arm(touch.first), arm(touch.second)});
+    if (!spring) {
+      damping_ += creep_rate(touch, eta) * slip * slip.transpose();
+      return;
+    }
     remembered_ += spring->stiffness * slip * slip.transpose();
     const double mass = 1.0 / slip.dot(mass_.cwiseInverse().cwiseProduct(slip));
     damping_ += refined(spring->damping_ratio * eta, spring->stiffness, mass) * slip * slip.transpose();
@@ -161,7 +179,7 @@ class Assembly {
 
   const Scene& scene_;
   Prestress prestress_;
-  double refining_step_;
+  StepOf step_;
   Index coordinates_ = 0;
   std::vector<Index> first_coordinate_;  ///< of each particle; −1 for a fixed one
   VectorXd mass_;
@@ -170,8 +188,8 @@ class Assembly {
 
 }  // namespace
 
-LinearSystem linearised(const Scene& scene, Prestress prestress, double refining_step) {
-  return Assembly(scene, prestress, refining_step).assembled();
+LinearSystem linearised(const Scene& scene, Prestress prestress, const StepOf& step) {
+  return Assembly(scene, prestress, step).assembled();
 }
 
 }  // namespace grainproof::analytic

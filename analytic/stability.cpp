@@ -119,10 +119,11 @@ double creep_limit(Integrator integrator, double mass, const LinearNormal& norma
       Overloaded{
           [](const Frictionless&) { return no_limit; },
           [](const DynamicFriction&) { return no_limit; },
-          // k_f h² + (m/τ) h < 2 m: the law itself holds the step.
+          // G (k_f h² + (m/τ) h) < 4 m, with G of stability.3: the law itself holds the step.
           [&](const StepFriction& law) {
-            return 4.0 * mass /
-                   (mass * drag + std::sqrt(std::pow(mass * drag, 2) + 8.0 * turning * law.stiffness * mass));
+            const double g = linear_scheme(integrator).flip.damping, slowed = g * mass * drag;
+            return 8.0 * mass /
+                   (slowed + std::sqrt(slowed * slowed + 16.0 * g * turning * law.stiffness * mass));
           },
           [&](const CollisionTimeFriction& law) { return limit_of(law.stiffness * impact_time); },
           [&](const DampedFriction& law) {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/bench_long.hpp"
 #include "app/bench_roofline.hpp"
 #include "app/bench_session.hpp"
 #include "app/bench_suites.hpp"
@@ -85,6 +86,7 @@ nlohmann::json results_of(const BenchSession& session) {
   results["results"] = rows_of(session.all());
   add_shares(results["results"]);
   add_local_orders(results["results"]);
+  add_verdicts(results["results"]);
   return results;
 }
 

@@ -45,6 +45,8 @@ Sample sample_of(const json& benchmark) {
   read_name(benchmark.at("name").get<std::string>(), sample);
   for (const auto& [name, value] : benchmark.items())
     if (is_ours(name, value)) sample.values[name] = value.get<double>();
+  if (const std::string because = benchmark.value("label", ""); !because.empty())
+    sample.keys["because"] = because;
   if (benchmark.value("error_occurred", false)) sample.error = benchmark.value("error_message", "failed");
   return sample;
 }

@@ -72,6 +72,24 @@ void add_agreement(BenchSession& session, const std::vector<json>& rows) {
   for (const auto& [bar, one] : bars) session.extra["agreement"].push_back(one);
 }
 
+/// How far they are apart at worst in each class of cases; a rate of growth is one of its own, since it is
+/// harder to measure than a limit.
+void add_worst(BenchSession& session, const std::vector<json>& rows) {
+  std::map<std::vector<std::string>, json> classes;
+  for (const json& row : rows) {
+    const bool grows = row.contains("growth_a_step");
+    const std::vector<std::string> of{row.at("scene"), row.at("friction"), row.at("engine"),
+                                      row.at("precision"), grows ? "growth" : "limit"};
+    json& one = classes[of];
+    if (one.is_null())
+      one = {{"suite", "stability"}, {"scene", of[0]}, {"friction", of[1]}, {"engine", of[2]},
+             {"precision", of[3]},   {"what", of[4]},  {"points", 0},       {"worst", 0.0}};
+    one["points"] = one["points"].get<int>() + 1;
+    one["worst"] = std::max(one["worst"].get<double>(), row.at("error").get<double>());
+  }
+  for (const auto& [of, one] : classes) session.extra["worst"].push_back(one);
+}
+
 }  // namespace
 
 void measure_stability(BenchSession& session) {
@@ -86,6 +104,7 @@ void measure_stability(BenchSession& session) {
       rows.push_back(row);
   add_safe_shares(session, rows);
   add_agreement(session, rows);
+  add_worst(session, rows);
 }
 
 }  // namespace grainproof::app

@@ -6,6 +6,8 @@
 #include <array>
 #include <thread>
 
+#include "app/bench_long.hpp"
+
 namespace grainproof::app {
 namespace {
 
@@ -195,6 +197,15 @@ constexpr std::array stability_columns{
     ShownColumn{"status", "status"},
 };
 
+constexpr std::array long_columns{
+    ShownColumn{"scene", "scene"},         ShownColumn{"engine", "engine"},
+    ShownColumn{"precision", "precision"}, ShownColumn{"integrator", "integrator"},
+    ShownColumn{"quantity", "drift of"},   ShownColumn{"steps", "steps"},
+    ShownColumn{"measured", "measured"},   ShownColumn{"bound", "bound"},
+    ShownColumn{"verdict", "verdict"},     ShownColumn{"because", "because"},
+    ShownColumn{"status", "status"},
+};
+
 constexpr std::array suites{
     Suite{"scaling", "run time against the number of particles, with the exponent", measure_scaling,
           scaling_columns},
@@ -210,6 +221,7 @@ constexpr std::array suites{
     Suite{"accuracy", "error against run time, by integrator, engine, precision and peer", measure_accuracy,
           accuracy_columns},
     Suite{"stability", "largest stable steps against their prediction", measure_stability, stability_columns},
+    Suite{"long", "what drifts in a million bounces and ten million steps", measure_long, long_columns},
 };
 
 }  // namespace

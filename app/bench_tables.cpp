@@ -144,6 +144,13 @@ std::string agreement_text(const json& one) {
          " beyond; permitted above the limit: " + std::to_string(one.at("permitted_above").get<int>()) + "\n";
 }
 
+std::string worst_text(const json& one) {
+  return "  " + one.at("scene").get<std::string>() + ", friction " + one.at("friction").get<std::string>() +
+         ", " + one.at("engine").get<std::string>() + " " + one.at("precision").get<std::string>() + ": " +
+         one.at("what").get<std::string>() + " at most " + report::brief(one.at("worst").get<double>()) +
+         " from the predicted one, " + std::to_string(one.at("points").get<int>()) + " cases\n";
+}
+
 }  // namespace
 
 std::string suite_text(const Suite& suite, const json& results, const report::Paint& paint) {
@@ -161,6 +168,7 @@ std::string suite_text(const Suite& suite, const json& results, const report::Pa
   text << decades_text(rows_of_suite(results, "decades", suite.name), paint);
   for (const json& safe : rows_of_suite(results, "safe_shares", suite.name)) text << share_text(safe);
   for (const json& one : rows_of_suite(results, "agreement", suite.name)) text << agreement_text(one);
+  for (const json& one : rows_of_suite(results, "worst", suite.name)) text << worst_text(one);
   const json failed = rows_of_suite(results, "failed", suite.name);
   if (!failed.empty()) text << "  Not measured, with the reason\n";
   for (const json& row : failed) text << failure_text(row);

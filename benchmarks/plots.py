@@ -8,6 +8,7 @@ import sys
 import matplotlib.pyplot as plt
 import numpy as np
 
+from plot_long import long_runs
 from plot_stability import stability
 from plot_style import COLOURS, engine_label, groups, save, style
 
@@ -187,6 +188,7 @@ PICTURES = {
     "peers": peers,
     "accuracy": accuracy,
     "stability": stability,
+    "long": long_runs,
 }
 
 

@@ -29,9 +29,18 @@ Dissipation dissipation_of(const std::string& restitution) {
   return Restitution{std::stod(restitution)};
 }
 
+FrictionLaw friction_of(const std::string& variant, double k) {
+  if (variant == "none") return Frictionless{};
+  if (variant == "history") return HistoryFriction{coefficient, tangential * k, tangential_dashpot};
+  if (variant == "step") return StepFriction{coefficient, tangential * k};
+  if (variant == "collision_time") return CollisionTimeFriction{coefficient, tangential * k};
+  if (variant == "damped") return DampedFriction{coefficient, tangential * k};
+  throw InputRefused("found friction " + variant + "; expected one of docs/stability.md");
+}
+
 ContactLaws laws_of(const StabilityCase& of, double k, bool cohesion) {
   ContactLaws laws{LinearNormal{k, dissipation_of(of.restitution)}};
-  if (of.friction) laws.friction = HistoryFriction{coefficient, tangential * k, tangential_dashpot};
+  laws.friction = friction_of(of.friction, k);
   if (cohesion) laws.cohesion = LinearCohesion{attraction * k};
   return laws;
 }
@@ -43,7 +52,7 @@ Scene empty_scene_of(const StabilityCase& of, const Vec3& box, bool cohesion) {
   scene.run.end = 1.0;
   scene.run.sample_times = {0.0, 1.0};
   scene.domain = {Vec3::Zero(), box};
-  scene.rotation = of.friction;
+  scene.rotation = of.friction != "none";
   scene.materials = {{"light", light}, {"heavy", light * of.mass_ratio}};
   scene.contacts = ContactTable(2);
   scene.contacts.set(0, 0, laws_of(of, stiffness, cohesion));

@@ -14,7 +14,7 @@ struct StabilityCase {
   std::string restitution;       ///< "0.8", "none" without a dashpot, "overdamped" at twice the critical one
   double mass_ratio = 1.0;       ///< of the heavy to the light bodies
   double stiffness_ratio = 1.0;  ///< of contacts of heavy bodies to those of light ones
-  bool friction = false;         ///< tangential springs, and bodies that turn
+  std::string friction = "none";  ///< "history", "step", "collision_time", "damped"; bodies turn with any
 };
 
 /// At rest and in equilibrium, with velocity Verlet and no step. Throws InputRefused for an arrangement that

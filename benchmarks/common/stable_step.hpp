@@ -26,7 +26,8 @@ class Prediction {
 
   const Scene& scene_;
   const analytic::LinearScheme& scheme_;
-  std::vector<analytic::LinearSystem> parts_;  ///< as long as dashpots don't depend on the step
+  bool by_step_;                               ///< whether dashpots or drags depend on the step
+  std::vector<analytic::LinearSystem> parts_;  ///< where they don't
   double limit_;
 };
 

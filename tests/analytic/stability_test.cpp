@@ -140,5 +140,14 @@ TEST(CreepLimit, IsTwoMassesOverStiffnessTimesCollisionTime) {
   EXPECT_TRUE(std::isinf(creep_limit(scheme, m, normal, DynamicFriction{0.6})));
 }
 
+TEST(CreepLimit, IsShorterWhereTheDashpotTakesTheVelocityPredictedForTheBoundary) {
+  const double m = 1.047, k = 2e5, k_f = 1e5, t_c = M_PI * std::sqrt(m / k);
+  const LinearNormal normal{k, Restitution{0.8}};
+  for (const auto scheme : {Integrator::velocity_verlet_predicted, Integrator::onset_corrected}) {
+    EXPECT_NEAR(creep_limit(scheme, m, normal, CollisionTimeFriction{0.6, k_f}), m / (k_f * t_c), 1e-16);
+    EXPECT_NEAR(creep_limit(scheme, m, normal, StepFriction{0.6, k_f}), std::sqrt(m / k_f), 1e-16);
+  }
+}
+
 }  // namespace
 }  // namespace grainproof::analytic

@@ -31,6 +31,8 @@ SUITES = {
                                                     "pair_gas", "packing", "gas", "bed")}),
     "stability": ({"scene", "engine", "precision", "integrator"}, set(), {"stability_agreement", "stability_settling",
                   "stability_euler_trapezoid", "stability_velocity_verlet"}),
+    "long": ({"scene", "engine", "precision", "integrator", "quantity"}, {"steps", "measured", "bound"},
+             {"long_bounces", "long_pile"}),
 }
 PEERS = {"lammps", "liggghts"}
 
@@ -114,6 +116,19 @@ def check_stability(rows, results):
     check(all(one["beyond"] == 0 for one in results["agreement"]), "the conclusion says otherwise")
 
 
+def check_long(rows):
+    """Every bound is held, the source's scheme is lost when it must be, and the default one has a curve."""
+    for row in rows:
+        if row["status"] == "completed":
+            check(row["verdict"] == "held" and row["held"] == 1, f"not held: {row}")
+            check(row["because"], f"a bound without a reason: {row}")
+            check(row["quantity"] == "end" or sum(key.startswith("at_") for key in row) > 5, f"no curve: {row}")
+    done = {(row["scene"], row["integrator"], row["quantity"]) for row in rows if row["status"] == "completed"}
+    for needed in (("bounces", "velocity_verlet", "energy"), ("bounces", "euler_trapezoid", "end"),
+                   ("pile", "velocity_verlet", "speed"), ("pile", "euler_trapezoid", "speed")):
+        check(needed in done, f"not measured: {needed}")
+
+
 def check_engines(suite, rows):
     engines = {row["engine"] for row in rows if row["status"] == "completed"} if suite != "layout" else {"opencl"}
     check("opencl" in engines, f"opencl was not measured: {engines}")
@@ -133,7 +148,7 @@ def main(program, suite, cache):
     names, measured, pictures = SUITES[suite]
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder)
-        most = "2" if suite == "stability" else "900"
+        most = {"stability": "2", "long": "50"}.get(suite, "900")
         command = [program, "bench", suite, "--quick", "--most", most, "--rounds", "2", "--seconds", "0.002",
                    "--engines", "reference,opencl:double", "--cache", cache, "--out", folder]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -153,6 +168,8 @@ def main(program, suite, cache):
             check_work_precision(results)
         if suite == "stability":
             check_stability(rows, results)
+        if suite == "long":
+            check_long(rows)
         check_pictures(out, pictures)
         page = (out / "index.html").read_text(encoding="utf-8")
         for name in pictures:
