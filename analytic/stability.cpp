@@ -17,8 +17,10 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-void keep_smaller(StepLimit& limit, double step, const std::string& because) {
-  if (step < limit.step) limit = {step, because};
+/// `because` is called only where it is needed: of all limits of a scene few are ever told.
+template <class Because>
+void keep_smaller(StepLimit& limit, double step, Because because) {
+  if (step < limit.step) limit = {step, because()};
 }
 
 std::string described(const ContactScale& scale) {
@@ -90,14 +92,19 @@ double friction_limit(const Scene& scene, const ContactLoad& load, double drag) 
 /// Every condition is monotonic in the drag rate, so the two partners' rates bracket the pair's.
 void limit_by_contact(const Scene& scene, const ContactLoad& load, StepLimit& limit) {
   const ContactScale& scale = load.scale;
-  const std::string pair = described(scale);
   for (const double drag : {load.contact.slowest_drag, load.contact.fastest_drag}) {
     keep_smaller(
         limit,
         pair_stability_limit(scene.run.integrator, load.contact.mass, scale.stiffness, scale.damping, drag),
-        "normal contact of " + pair + " under " + std::string(name_of(scene.run.integrator)));
-    keep_smaller(limit, friction_limit(scene, load, drag),
-                 "friction of " + pair + ": above it the contact chatters where it should come to rest");
+        [&] {
+          return "normal contact of " + described(scale) + " under " +
+                 std::string(name_of(scene.run.integrator));
+        });
+    keep_smaller(limit, friction_limit(scene, load, drag), [&] {
+      return "friction of " + described(scale) +
+             ": above it the contact chatters where it should come to rest";
+    });
+    if (load.contact.slowest_drag == load.contact.fastest_drag) break;
   }
 }
 
@@ -144,7 +151,7 @@ StepLimit stability_limit(const Scene& scene, std::optional<double> impact_speed
     loads.push_back(load_of(scene, contact, speeds, heaviest));
   for (const ContactLoad& load : loads) limit_by_contact(scene, load, limit);
   const StepLimit crowded = crowd_limit(scene, loads);
-  keep_smaller(limit, crowded.step, crowded.because);
+  keep_smaller(limit, crowded.step, [&] { return crowded.because; });
   for (const Particle& particle : scene.particles) {
     if (particle.fixed) continue;
     const double rate = drag_rate(scene.flow, scene.materials[particle.material].density, particle.diameter);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run_keeper.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,13 @@ namespace {
 
 /// Of the time of the steps may go into looks.
 constexpr double share_of_looks = 0.01;
+/// Seconds a particle, until a look has been measured: too long rather than too short, or the first look
+/// alone would take more than the share of a short run.
+constexpr double look_of_one_s = 2e-6;
+
+double wait_after(double look_s) {
+  return std::max(1.0, look_s / share_of_looks);
+}
 
 double seconds_since(std::chrono::steady_clock::time_point began) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -20,7 +28,10 @@ double seconds_since(std::chrono::steady_clock::time_point began) {
 }  // namespace
 
 RunKeeper::RunKeeper(const Scene& scene, KeeperOptions options, report::CheckpointOrigin origin)
-    : options_(std::move(options)), origin_(std::move(origin)), energy_(scene) {}
+    : options_(std::move(options)),
+      origin_(std::move(origin)),
+      energy_(scene),
+      wait_s_(wait_after(look_of_one_s * static_cast<double>(scene.particles.size()))) {}
 
 std::int64_t RunKeeper::next_stop(std::int64_t step) const {
   if (options_.every_steps <= 0) return std::numeric_limits<std::int64_t>::max();
@@ -57,7 +68,7 @@ void RunKeeper::look(Run& run, bool ledger) {
   }
   if (auto* restartable = dynamic_cast<RestartableRun*>(&run)) good_ = restartable->checkpoint();
   stepped_s_ = 0.0;
-  wait_s_ = std::max(1.0, seconds_since(began) / share_of_looks);
+  wait_s_ = wait_after(seconds_since(began));
 }
 
 void RunKeeper::write_due(Run& run) {

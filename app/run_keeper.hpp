@@ -55,7 +55,7 @@ class RunKeeper {
   std::optional<Checkpoint> good_;
   bool found_out_ = false;
   double stepped_s_ = 0.0;  ///< since the last look
-  double wait_s_ = 1.0;     ///< of steps before the next one
+  double wait_s_;           ///< of steps before the next one
   Clock::time_point written_ = Clock::now();
 };
 

@@ -137,6 +137,8 @@ void require_sound_kernels(const Engine& engine, const fs::path& data, const std
   // one case, whose program has most of the stages.
   run_on(opencl::Path::small, "small", cases);
   run_on(opencl::Path::zoned, "zoned", std::span(cases).last(1));
+  // It shares no law with the others: a pair and a wall.
+  run_on(opencl::Path::dense, "dense", std::span(cases).last(2));
   if (!mark.empty()) remember(mark, of);
 }
 

@@ -9,7 +9,7 @@
 
 namespace grainproof::app {
 
-/// Lets an OpenCL engine's device run a few scenes of one or two spheres, on the small and on the zoned path,
+/// Lets an OpenCL engine's device run a few scenes of one or two spheres, on the small, zoned and dense path,
 /// and holds the last frames against their closed forms. Passed once, it is not done again for the same
 /// device, driver, precision and text of the kernels: the user's cache remembers. Other engines need none.
 /// Throws EngineFailed with what was off.

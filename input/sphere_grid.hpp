@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -21,6 +22,8 @@ class SphereGrid {
   /// may ask one of them twice.
   template <class Holds>
   bool any_near(const Vec3& position, Holds&& holds) const {
+    if (entries_.size() <= few)
+      return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return holds(e.index); });
     const Cell centre = cell_of(position);
     for (int n = 0; n < 27; ++n) {
       const Cell cell = wrapped({centre[0] + n % 3 - 1, centre[1] + n / 3 % 3 - 1, centre[2] + n / 9 - 1});
@@ -31,6 +34,8 @@ class SphereGrid {
   }
 
  private:
+  /// So many are asked sooner than the 27 cells around.
+  static constexpr std::size_t few = 8;
   using Cell = std::array<std::int64_t, 3>;
   struct Entry {
     Cell cell;

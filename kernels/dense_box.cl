@@ -12,7 +12,7 @@ typedef struct {
   real4 metre;           // quantum, rounded
   real4 drift;           // units of phase a step at 1 m/s
   real4 gravity;
-  real4 time;            // x: step; y: half of it
+  real4 time;            // x: step; y: half of it; z: (highest speed)²; w: x², or 0 where a leap is none
   real4 limits;          // x: largest overlap, as a fraction of the smaller radius; y: (skin/2)²; z: a little over 1
   real4 body;            // x: radius; y: 1/mass; z: 1/inertia; w: root of the effective mass of two
   real4 body_units;      // of sums in canonical order. x: of force, N; y: of torque, N m

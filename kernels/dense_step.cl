@@ -67,13 +67,11 @@ INLINE void watch(Dense d, Bodies b, int step, global int* signals) {
   if (escapes(d, b, stale)) atomic_min(signals_after(signals, step) + ESCAPED_AT, step + 1);
 }
 
-// Farther in a step than a sixteenth of a cell, or no number: dense_failure.cpp.
+// Farther in a step than its radius or an eighth of a cell, or no number: dense_failure.cpp.
 INLINE bool runs_wild(Dense d, Bodies b) {
-  const real4 drift = d.box->drift;
-  const reals x = magnitudes(b.velocity.x) * drift.x, y = magnitudes(b.velocity.y) * drift.y,
-              z = magnitudes(b.velocity.z) * drift.z;
-  const real most = (real)(1 << 28) * ((real)(1ul << (PHASE_BITS - 32)));
-  const flags calm = (x < most) & (y < most) & (z < most);
+  const reals square = inner(b.velocity, b.velocity);
+  flags calm = square < d.box->time.z;
+  if (VARIED) calm &= square * d.box->time.w <= b.radius * b.radius;
   return any_of((calm ? (reals)(0) : (reals)(1)) > 0);
 }
 

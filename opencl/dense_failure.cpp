@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "model/strides.hpp"
 #include "opencl/bytes.hpp"
 #include "opencl/dense_run.hpp"
 #include "opencl/failure.hpp"
@@ -10,6 +11,9 @@
 
 namespace grainproof::opencl {
 namespace {
+
+/// Of what the device compares.
+constexpr double hair = 1e-6;
 
 /// `rounding`: the device decides without what is below a unit of position.
 cl_int face_left(const Vec3& x, const Domain& domain, const Vec3& rounding) {
@@ -42,9 +46,11 @@ void DenseRun::tell_what_went_wrong(cl_int step, bool escaped) {
   std::vector<cl_int4> faults(image_.particles, cl_int4{{never, 0, 0, 0}});
   if (escaped) {
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const Vec3 moved = all[i].velocity.cwiseAbs() * scene_.run.step;
+      const double moved = all[i].velocity.norm() * scene_.run.step;
       const cl_int face = face_left(all[i].position, scene_.domain, grid_.cell * 0x1p-31);
-      if (!(moved.array() < grid_.cell.array() / 16.0).all())
+      if (may_leap(scene_) && moved > 0.5 * scene_.particles[i].diameter * (1.0 - hair))
+        faults[i] = {{step, leapt, 0, 0}};
+      else if (!(moved < 0.125 * grid_.cell.minCoeff() * (1.0 - hair)))
         faults[i] = {{step, not_a_number, 0, 0}};
       else if (face >= 0)
         faults[i] = {{step, left_domain, face, 0}};
@@ -77,7 +83,7 @@ void DenseRun::tell_what_went_wrong(cl_int step, bool escaped) {
   // The device has rounded: the deepest of all counts even where it is a hair's breadth below the limit.
   double most = 0.0;
   for (const Deepest& d : deepest) most = std::max(most, d.fraction);
-  const double limit = std::min(scene_.run.overlap_limit, most * (1.0 - 1e-6));
+  const double limit = std::min(scene_.run.overlap_limit, most * (1.0 - hair));
   for (std::size_t i = 0; i < deepest.size(); ++i)
     if (deepest[i].fraction > limit) faults[i] = {{step, too_deep, deepest[i].partner, 0}};
   throw_failure(scene_, step, bytes_of(faults), first_step_);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/strides.hpp"
 #include "opencl/bytes.hpp"
 #include "opencl/near_walls.hpp"
 #include "opencl/pair_laws.hpp"
@@ -71,7 +72,7 @@ class DenseImager {
     b.metre = four_of<P>(quantum(), radius_unit());
     b.drift = four_of<P>(quantum().cwiseInverse() * step);
     b.gravity = four_of<P>(std::get<ConstantGravity>(scene_.gravity).acceleration);
-    b.time = four_of<P>({step, step / 2, 0.0});
+    b.time = four_of<P>({step, step / 2, most_speed() * most_speed()}, may_leap(scene_) ? step * step : 0.0);
     b.limits = four_of<P>({scene_.run.overlap_limit, 0.25 * skin * skin, 1.0 + 1e-5}, fastest_square());
     b.body = four_of<P>({radius, 1.0 / mass, 1.0 / inertia_of(p, scene_)}, std::sqrt(mass / 2));
     b.body_units = four_of<P>({sum_unit(), sum_unit() * grid_.largest_radius, 0.0});
@@ -92,6 +93,13 @@ class DenseImager {
     return b;
   }
 
+  /// That a run survives: of the largest body, where one that moves by more than its radius in a step has
+  /// leapt. Two that go on for an eighth of a cell after a list's last step are still told apart.
+  double most_speed() const {
+    const double stride = 0.125 * grid_.cell.minCoeff();
+    return (may_leap(scene_) ? std::min(stride, grid_.largest_radius) : stride) / scene_.run.step;
+  }
+
   /// Of force, a power of two, so that no sum over 2^8 contacts of the deepest overlap and the highest speed
   /// that a run survives reaches 2^62. The tangential force is at most the normal one's, times a coefficient
   /// taken as 4.
@@ -102,10 +110,9 @@ class DenseImager {
     for (std::size_t other = 0; other < scene_.materials.size(); ++other) {
       if (!scene_.contacts.has(material, other)) continue;
       const PairCoefficients c = coefficients_of(scene_, material, other);
-      const double fastest = 0.125 * grid_.cell.maxCoeff() / scene_.run.step;
       const double elastic = std::max(c.stiffness, c.history.stiffness) * 2.0 * grid_.largest_radius;
-      strongest =
-          std::max(strongest, elastic + (c.damping.at(heaviest) + c.history.damping.at(heaviest)) * fastest);
+      const double damping = c.damping.at(heaviest) + c.history.damping.at(heaviest);
+      strongest = std::max(strongest, elastic + damping * 2.0 * most_speed());
     }
     return std::exp2(std::ceil(std::log2(strongest)) + 10.0 - 62.0);
   }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -39,25 +39,71 @@ struct Grid {
     return cell;
   }
 
-  /// The cells within one of `cell`, each once.
-  std::vector<Cell> around(const Cell& cell) const {
-    std::vector<Cell> found;
-    for (int i = 0; i < 27; ++i) {
-      Cell next{cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1};
-      for (int axis = 0; axis < 3; ++axis)
-        if (domain.periodic(axis)) next[axis] = (next[axis] + cells[axis]) % cells[axis];
-      found.push_back(next);
+  /// The places within one of `place` along an axis, each once, and how many there are.
+  std::pair<std::array<std::int64_t, 3>, int> around(std::int64_t place, int axis) const {
+    std::array<std::int64_t, 3> found{};
+    int count = 0;
+    const std::int64_t all = cells[axis];
+    const bool wraps = domain.periodic(axis) && all >= 3;
+    for (std::int64_t at = place - 1; at <= place + 1; ++at) {
+      if (wraps)
+        found[count++] = (at + all) % all;
+      else if (at >= 0 && at < all)
+        found[count++] = at;
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+    return {found, count};
   }
 };
 
-Vec3 nearest_image(const Domain& domain, Vec3 difference) {
+/// Particles by their cell: chains in a table of so many places that few cells share one.
+class Chains {
+ public:
+  explicit Chains(std::size_t particles)
+      : first_(std::bit_ceil(particles + 1), none), next_(particles), cell_(particles) {}
+
+  void insert(std::size_t i, const Cell& cell) {
+    std::size_t& first = first_[place_of(cell)];
+    cell_[i] = cell;
+    next_[i] = first;
+    first = i;
+  }
+
+  template <class Visit>
+  void each_in(const Cell& cell, Visit&& visit) const {
+    for (std::size_t i = first_[place_of(cell)]; i != none; i = next_[i])
+      if (same(cell_[i], cell)) visit(i);
+  }
+
+ private:
+  static constexpr std::size_t none = ~std::size_t{0};
+
+  static bool same(const Cell& a, const Cell& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+
+  std::size_t place_of(const Cell& cell) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t along : cell)
+      hash = (hash ^ static_cast<std::uint64_t>(along)) * 0x9e3779b97f4a7c15u;
+    return (hash >> 20) & (first_.size() - 1);
+  }
+
+  std::vector<std::size_t> first_, next_;
+  std::vector<Cell> cell_;
+};
+
+template <class Visit>
+void each_around(const Grid& grid, const Cell& cell, Visit&& visit) {
+  const auto [xs, nx] = grid.around(cell[0], 0);
+  const auto [ys, ny] = grid.around(cell[1], 1);
+  const auto [zs, nz] = grid.around(cell[2], 2);
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) visit(Cell{xs[i], ys[j], zs[k]});
+}
+
+Vec3 nearest_image(const Domain& domain, const Vec3& extent, Vec3 difference) {
   for (int axis = 0; axis < 3; ++axis)
-    if (domain.periodic(axis))
-      difference[axis] -= domain.extent()[axis] * std::round(difference[axis] / domain.extent()[axis]);
+    if (domain.periodic(axis) && std::abs(difference[axis]) > 0.5 * extent[axis])
+      difference[axis] -= extent[axis] * std::round(difference[axis] / extent[axis]);
   return difference;
 }
 
@@ -68,24 +114,23 @@ void each_contact(const Scene& scene, const Frame& frame,
   double largest = 0.0;
   for (const Particle& particle : scene.particles) largest = std::max(largest, particle.diameter);
   const Grid grid(scene.domain, largest);
-  std::map<Cell, std::vector<std::size_t>> earlier;
+  const Vec3 extent = scene.domain.extent();
+  Chains earlier(frame.position.size());
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     const Vec3& here = frame.position[i];
     const double radius = scene.particles[i].diameter / 2.0;
     for (std::size_t w = 0; w < scene.walls.size(); ++w)
       if (const double gap = facing(scene.walls[w], here, frame.time).distance; gap < radius)
         visit(i, -1 - static_cast<std::int64_t>(w), radius - gap);
+    const auto meet = [&](std::size_t j) {
+      const double reach = radius + scene.particles[j].diameter / 2.0;
+      const double square = nearest_image(scene.domain, extent, frame.position[j] - here).squaredNorm();
+      if (const double apart = std::sqrt(square); apart < reach)
+        visit(i, static_cast<std::int64_t>(j), reach - apart);
+    };
     const Cell cell = grid.cell_of(here);
-    for (const Cell& near : grid.around(cell)) {
-      const auto found = earlier.find(near);
-      if (found == earlier.end()) continue;
-      for (std::size_t j : found->second) {
-        const double reach = radius + scene.particles[j].diameter / 2.0;
-        const double apart = nearest_image(scene.domain, frame.position[j] - here).norm();
-        if (apart < reach) visit(i, static_cast<std::int64_t>(j), reach - apart);
-      }
-    }
-    earlier[cell].push_back(i);
+    each_around(grid, cell, [&](const Cell& near) { earlier.each_in(near, meet); });
+    earlier.insert(i, cell);
   }
 }
 

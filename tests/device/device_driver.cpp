@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
-// device_driver PRECISION PATH SCENE LAYERS STEPS [full]: takes the steps and prints the digest.
-// A program of its own, to be run with other environments and under oclgrind.
+// device_driver PRECISION PATH SCENE LAYERS STEPS [full] [ledger] [canonical]: takes the steps and prints the
+// digest. A program of its own, to be run with other environments and under oclgrind.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
 
 #include "device_fixture.hpp"
-#include "varied_scenes.hpp"
+#include "rare_scenes.hpp"
 
 namespace grainproof::opencl::testing {
 namespace {
@@ -23,11 +24,16 @@ EngineOptions options_from(const std::string& precision, const std::string& path
 
 int drive(int argc, char** argv) {
   if (argc < 6) {
-    std::fputs("device_driver PRECISION PATH SCENE LAYERS STEPS [full]\n", stderr);
+    std::fputs("device_driver PRECISION PATH SCENE LAYERS STEPS [full] [ledger] [canonical]\n", stderr);
     return 2;
   }
-  OpenClEngine engine(options_from(argv[1], argv[2], argc > 6));
-  const auto run = engine.start(varied_scene(argv[3], std::stoi(argv[4])), {});
+  const auto asked = [&](const char* word) {
+    return std::any_of(argv + 6, argv + argc, [&](const char* one) { return one == std::string(word); });
+  };
+  OpenClEngine engine(options_from(argv[1], argv[2], asked("full")));
+  Scene scene = any_scene(argv[3], std::stoi(argv[4]));
+  if (asked("canonical")) scene.run.order = SumOrder::canonical;
+  const auto run = engine.start(scene, {.times = {}, .ledger = asked("ledger")});
   run->advance(std::stol(argv[5]));
   std::printf("digest %016llx\n", static_cast<unsigned long long>(run->digest()));
   return 0;

@@ -59,6 +59,23 @@ TEST(DenseFailures, TooDeepAnOverlapIsToldAsByTheZonedPath) {
   expect_same_failure(scene, "overlaps particle");
 }
 
+TEST(DenseFailures, ALeapIsToldAsByTheZonedPathAndLessIsNone) {
+  for (const double spread : {0.0, 0.2}) {
+    Scene scene = crowded_scene({.spread = spread});
+    Particle& top = scene.particles.back();
+    const double radius_a_step = 0.5 * top.diameter / scene.run.step;
+    top.velocity = {0, 0, 1.01 * radius_a_step};
+    expect_same_failure(scene, "moved by more than its radius in one step");
+    scene.walls.clear();
+    scene.gravity = ConstantGravity{Vec3::Zero()};
+    scene.domain.upper[2] += 5 * diameter;
+    scene.run.end = 2 * scene.run.step;
+    scene.run.sample_times = {0.0, scene.run.end};
+    top.velocity = {0, 0, 0.97 * radius_a_step};
+    EXPECT_EQ(outcome_of(Path::dense, scene).status, Outcome::Status::completed);
+  }
+}
+
 TEST(DenseFailures, AWallTooDeepIsToldAsByTheZonedPath) {
   Scene scene = crowded_scene({});
   scene.run.overlap_limit = 0.1;

@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "driver_process.hpp"
+#include "opencl/build_options.hpp"
+#include "opencl/dense_options.hpp"
+#include "rare_scenes.hpp"
 #include "varied_scenes.hpp"
 
 namespace grainproof::opencl::testing {
@@ -79,6 +85,60 @@ TEST_F(OclgrindOnce, FindsNothingInTheDensePath) {
   for (const char* scene : {"boxed", "damped_friction", "fixed", "tilted_plane", "turning_liggghts"})
     for (const char* precision : {"single", "double"})
       expect_clean(run_driver(checker, precision + std::string(" dense ") + scene + " 16 20"));
+}
+
+TEST_F(OclgrindOnce, FindsNothingInTheDensePathInCanonicalOrder) {
+  for (const char* precision : {"single", "double"})
+    expect_clean(run_driver(checker, precision + std::string(" dense turning_liggghts 16 12 canonical")));
+}
+
+TEST_F(OclgrindOnce, FindsNothingWhereALedgerIsKept) {
+  for (const char* scene : {"leapfrog_verlet", "turning_liggghts", "drum"})
+    expect_clean(run_driver(checker, std::string("double zoned ") + scene + " 8 8 ledger"));
+}
+
+class OclgrindRarely : public WithOclgrind<::testing::TestWithParam<std::string>> {};
+
+TEST_P(OclgrindRarely, FindsNothingOnEitherPath) {
+  for (const char* how : {"single zoned ", "double small "})
+    expect_clean(run_driver(checker, how + GetParam() + " 4 12"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, OclgrindRarely, ::testing::ValuesIn(rare_scene_names()),
+                         [](const ::testing::TestParamInfo<std::string>& param) { return param.param; });
+
+/// What the programs of the runs above are made of.
+std::set<std::string> files_run_above() {
+  std::set<std::string> files;
+  const auto add = [&](const std::vector<std::string>& some) { files.insert(some.begin(), some.end()); };
+  std::vector<std::string> names = varied_scene_names();
+  for (const std::string& name : rare_scene_names()) names.push_back(name);
+  for (const std::string& name : names)
+    for (const bool small : {false, true})
+      add(kernel_files(build_options(any_scene(name, 2), {}, Precision::single_precision, small), false));
+  const BuildOptions some =
+      build_options(varied_scene("damped_friction"), {}, Precision::double_precision, false);
+  add(kernel_files(with_every_stage(some), false));
+  for (const SumOrder order : {SumOrder::fast, SumOrder::canonical}) {
+    Scene scene = varied_scene("turning_liggghts");
+    scene.run.order = order;
+    add(dense_kernel_files(dense_options(scene, Precision::double_precision), false));
+  }
+  return files;
+}
+
+/// The kinds of numbers: each is in every program of a precision, a device or a width.
+bool is_of_numbers(const std::string& file) {
+  return std::ranges::any_of(std::array{"math_", "real_", "position_", "velocity_", "wide_"},
+                             [&](const char* kind) { return file.starts_with(kind); });
+}
+
+TEST(OclgrindRuns, HaveEveryKernelFileAmongThem) {
+  const auto run = files_run_above();
+  for (const auto& entry : std::filesystem::directory_iterator(GRAINPROOF_KERNELS)) {
+    const std::string file = entry.path().filename();
+    EXPECT_TRUE(run.contains(file) || is_of_numbers(file)) << file << " is run by no test with oclgrind";
+  }
 }
 
 TEST_F(OclgrindOnce, FindsNothingInABuildOfEveryStage) {

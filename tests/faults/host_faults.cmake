@@ -167,3 +167,9 @@ host_fault(ClosedFrictionWithoutTheStep FILE analytic/slip_friction.cpp CASE sli
 host_fault(ClosedFrictionWithoutItsDashpot FILE analytic/slip_friction.cpp CASE sliding_damped
   PRINTED "law.stiffness * impact_time + damping(normal, e.mass)"
   PLANTED "law.stiffness * impact_time")
+host_fault(OnsetImpulseHalved FILE reference_cpu/onset/events.cpp CASE onset_normal
+  PRINTED "body.velocity += impulse * body.inverse_mass"
+  PLANTED "body.velocity += 0.5 * impulse * body.inverse_mass")
+host_fault(OnsetWithoutItsShift FILE reference_cpu/onset/events.cpp CASE onset_normal
+  PRINTED "body.position += shift * body.inverse_mass"
+  PLANTED "body.position += 0.0 * shift")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -42,12 +43,15 @@ inline std::filesystem::path case_file(const std::string& name) {
   throw std::runtime_error("there is no case " + name);
 }
 
-/// By the first `samples` of the case's sweep, or by all where that is 0.
-inline std::vector<Row> judged(const std::filesystem::path& scene, Engine& engine, int samples = 0) {
+/// By the first `samples` of the case's sweep, or by all where that is 0, of the scenes that are `taken`.
+inline std::vector<Row> judged(
+    const std::filesystem::path& scene, Engine& engine, int samples = 0,
+    const std::function<bool(const Scene&)>& taken = [](const Scene&) { return true; }) {
   const auto exact = std::make_shared<Exact>();
   Case subject = read_case(scene, {});
   if (samples > 0)
     std::erase_if(subject.scenes, [&](const ResolvedScene& one) { return one.point.sample >= samples; });
+  std::erase_if(subject.scenes, [&](const ResolvedScene& one) { return !taken(one.scene); });
   return judge(subject, engine, [exact](const std::string& against) { return (*exact)(against); });
 }
 

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "opencl/dense_options.hpp"
 #include "opencl/engine.hpp"
 #include "tests/faults/judged.hpp"
 
@@ -64,7 +65,9 @@ std::vector<Row> rows_with(const fs::path& kernels, const KernelFault& fault) {
   options.path = fault.path;
   if (fault.skin >= 0.0) options.skin = fault.skin;
   opencl::OpenClEngine engine(options);
-  return judged(case_file(fault.scene), engine, fault.samples);
+  return judged(case_file(fault.scene), engine, fault.samples, [&](const Scene& scene) {
+    return fault.path != opencl::Path::dense || opencl::dense_support(scene, {}, 0.0).yes;
+  });
 }
 
 class KernelFaults : public testing::TestWithParam<KernelFault> {};

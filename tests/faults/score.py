@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Grainproof authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Plants every mistake and counts those that the cases notice: caught out of planted, by which case, and how long.

@@ -102,23 +102,37 @@ TEST(SelfTest, IsDoneOnceAndRemembered) {
   EXPECT_EQ(again.err.find("testing the kernels"), std::string::npos) << again.err;
 }
 
-TEST(SelfTest, FindsABrokenKernel) {
+/// One piece of one kernel, broken; and what the self-test must say of it.
+struct Broken {
+  std::string file, printed, planted, told;
+};
+
+void expect_found(const Broken& broken) {
   const Scratch scratch;
   const fs::path data = scratch.path("data");
   fs::create_directories(data);
   for (const char* folder : {"kernels", "scenes"})
     fs::copy(fs::current_path() / folder, data / folder, fs::copy_options::recursive);
-  std::string law = text_of(data / "kernels/linear_normal.cl");
-  const std::string damping = "law.damping_root_mass";
-  ASSERT_NE(law.find(damping), std::string::npos);
-  law.replace(law.find(damping), damping.size(), "(real)0.9 * law.damping_root_mass");
-  std::ofstream(data / "kernels/linear_normal.cl") << law;
+  std::string law = text_of(data / "kernels" / broken.file);
+  ASSERT_NE(law.find(broken.printed), std::string::npos);
+  law.replace(law.find(broken.printed), broken.printed.size(), broken.planted);
+  std::ofstream(data / "kernels" / broken.file) << law;
   const std::string run = "run " + scratch.file("ball.toml", falling_sphere()) + " --engine opencl:double";
-  const std::string broken = "GRAINPROOF_DATA='" + data.string() + "' " + own_caches(scratch);
-  const Ended refused = run_program(run, broken);
+  const std::string wrapped = "GRAINPROOF_DATA='" + data.string() + "' " + own_caches(scratch);
+  const Ended refused = run_program(run, wrapped);
   EXPECT_EQ(refused.code, 3) << refused.out;
-  EXPECT_NE(refused.err.find("normal_collision on the small path is off"), std::string::npos) << refused.err;
-  EXPECT_EQ(run_program(run + " --no-self-test", broken).code, 0);
+  EXPECT_NE(refused.err.find(broken.told), std::string::npos) << refused.err;
+  EXPECT_EQ(run_program(run + " --no-self-test", wrapped).code, 0);
+}
+
+TEST(SelfTest, FindsABrokenKernel) {
+  expect_found({"linear_normal.cl", "law.damping_root_mass", "(real)0.9 * law.damping_root_mass",
+                "normal_collision on the small path is off"});
+}
+
+TEST(SelfTest, FindsABrokenKernelOfTheDensePath) {
+  expect_found({"dense_contact.cl", "-(damping * separating)", "-((real)0.9f * damping * separating)",
+                "normal_collision on the dense path is off"});
 }
 
 // GRAINPROOF_KILLS=50 for the long form.
