@@ -138,8 +138,7 @@ TEST_P(Dense, FirstFrameIsTheSceneItself) {
 
 INSTANTIATE_TEST_SUITE_P(Crowds, Dense,
                          ::testing::Combine(::testing::ValuesIn(crowds),
-                                            ::testing::Values(Precision::single_precision,
-                                                              Precision::double_precision)),
+                                            ::testing::ValuesIn(every_precision)),
                          name_of_crowd);
 
 TEST(DenseRun, IsTakenByItselfWhereItCan) {
