@@ -138,7 +138,8 @@ TEST_P(Dense, FirstFrameIsTheSceneItself) {
 
 INSTANTIATE_TEST_SUITE_P(Crowds, Dense,
                          ::testing::Combine(::testing::ValuesIn(crowds),
-                                            ::testing::ValuesIn(every_precision)),
+                                            ::testing::Values(Precision::single_precision,
+                                                              Precision::double_precision)),
                          name_of_crowd);
 
 TEST(DenseRun, IsTakenByItselfWhereItCan) {
