@@ -42,7 +42,8 @@ fs::path usual_cache() {
 std::vector<std::string> engines_here(const BenchOptions& options) {
   std::vector<std::string> names;
   const std::vector<std::string> wanted =
-      options.engines.empty() ? std::vector<std::string>{"reference", "opencl"} : options.engines;
+      options.engines.empty() ? std::vector<std::string>{"reference", "opencl:single", "opencl:double"}
+                              : options.engines;
   for (const std::string& name : wanted)
     for (const Made& made : make_engines(name, {data_root(), "", options.device}))
       if (made.engine) names.push_back(made.name);
@@ -97,6 +98,13 @@ BenchSession::BenchSession(const BenchOptions& options, Progress& progress)
       cache_(options.cache.empty() ? usual_cache() : fs::absolute(options.cache)),
       engines_(engines_here(options)),
       on_processor_(runs_on_processor(options.device)) {}
+
+std::vector<std::string> BenchSession::engines_in_every_precision() const {
+  std::vector<std::string> engines = engines_;
+  const auto single = std::find(engines.begin(), engines.end(), "opencl:single");
+  if (options_.engines.empty() && single != engines.end()) engines.insert(single + 1, "opencl:mixed");
+  return engines;
+}
 
 std::vector<std::string> BenchSession::command(const BenchRun& what, const fs::path& json) const {
   const int rounds = options_.rounds > 0 ? options_.rounds : what.rounds;

@@ -40,6 +40,8 @@ class BenchSession {
   Progress& progress() { return progress_; }
   /// Those of our engines that are here and asked for: "reference", "opencl:single", …
   const std::vector<std::string>& engines() const { return engines_; }
+  /// With mixed precision too, which other suites measure only where it is named.
+  std::vector<std::string> engines_in_every_precision() const;
   /// Whether OpenCL runs on a processor, whose threads can be limited.
   bool on_processor() const { return on_processor_; }
   const std::vector<Sample>& all() const { return samples_; }

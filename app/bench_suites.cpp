@@ -12,8 +12,8 @@ namespace grainproof::app {
 namespace {
 
 /// The reference is serial.
-std::vector<std::string> engines_with(const BenchSession& session, int threads) {
-  std::vector<std::string> engines = session.engines();
+std::vector<std::string> on_threads(std::vector<std::string> engines, const BenchSession& session,
+                                    int threads) {
   if (threads > 1 && thread_counts(session).size() > 1) std::erase(engines, "reference");
   return engines;
 }
@@ -25,7 +25,7 @@ void measure_cundall(BenchSession& session) {
     session.run({.suite = "cundall",
                  .what = std::to_string(threads) + " threads",
                  .scenes = {"bed", "gas"},
-                 .engines = engines_with(session, threads),
+                 .engines = on_threads(session.engines_in_every_precision(), session, threads),
                  .particles = within_limits(session, sizes),
                  .threads = threads,
                  .rounds = session.quick() ? 2 : 5,
@@ -83,7 +83,7 @@ void measure_peers(BenchSession& session) {
                                              .what = std::string(scene.name) + " of " + std::to_string(size) +
                                                      ", " + std::to_string(threads) + " processes",
                                              .scenes = {scene.name},
-                                             .engines = engines_with(session, threads),
+                                             .engines = on_threads(session.engines(), session, threads),
                                              .particles = {size},
                                              .threads = threads,
                                              .rounds = session.quick() ? 2 : 5,
@@ -93,7 +93,7 @@ void measure_peers(BenchSession& session) {
 void measure_accuracy(BenchSession& session) {
   session.run({.suite = "accuracy",
                .what = "collisions, error and time",
-               .engines = session.engines(),
+               .engines = session.engines_in_every_precision(),
                .rounds = session.quick() ? 1 : 3});
   conclude_accuracy(session);
 }

@@ -76,7 +76,8 @@ void add_run(CLI::App& program, Command& chosen) {
                   "  grainproof run normal_collision --nth 17 --json summary.json\n");
   command->add_option("scene", options->scene, "Name of a case, or a scene file")->required();
   command->add_option("--engine", options->engine, engine_help())->type_name("NAME")->capture_default_str();
-  command->add_option("--precision", options->precision, "single or double, for opencl")->type_name("P");
+  command->add_option("--precision", options->precision, "single, mixed or double, for opencl")
+      ->type_name("P");
   command->add_option("--device", options->device, device_help);
   command
       ->add_option("--out", options->out, "Write summary.json, walls.csv, frames as .vtp and frames.pvd here")

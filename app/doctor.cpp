@@ -35,8 +35,9 @@ void show_devices(std::ostream& out, const report::Paint& paint) {
   report::TextTable table({{"--device"}, {"kind"}, {"name"}, {"precisions"}, {"platform"}});
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const auto& device = devices[i];
-    const std::string precisions =
-        device.double_precision ? "single, double" : "single (no double: " + device.no_double_because + ")";
+    const std::string precisions = device.double_precision
+                                       ? "single, mixed, double"
+                                       : "single (no double: " + device.no_double_because + ")";
     table.add({std::to_string(i), device.gpu ? "GPU" : "CPU", device.name, precisions,
                device.platform + ", " + device.version});
   }

@@ -37,10 +37,8 @@ std::vector<Made> make_analytic(Rest rest, const EngineSettings&) {
 }
 
 opencl::Precision precision_named(const std::string& name) {
-  using enum opencl::Precision;
-  for (opencl::Precision precision : {single_precision, double_precision})
-    if (name == opencl::name_of(precision)) return precision;
-  throw InputRefused("no precision " + name + "; opencl has single and double");
+  if (const auto precision = opencl::precision_named(name)) return *precision;
+  throw InputRefused("no precision " + name + "; opencl has single, mixed and double");
 }
 
 Made make_opencl_in(const std::string& precision, const EngineSettings& settings) {
@@ -61,7 +59,8 @@ std::vector<Made> make_opencl(Rest rest, const EngineSettings& settings) {
   const std::string& wanted = rest.empty() ? settings.precision : rest;
   if (!wanted.empty()) return one(make_opencl_in(wanted, settings));
   std::vector<Made> all;
-  for (const char* precision : {"single", "double"}) all.push_back(make_opencl_in(precision, settings));
+  for (const opencl::Precision precision : opencl::every_precision)
+    all.push_back(make_opencl_in(std::string(name_of(precision)), settings));
   return all;
 }
 
@@ -94,7 +93,8 @@ struct Known {
 
 constexpr std::array known{
     Known{"reference", "serial, double precision", false, false, true, make_reference},
-    Known{"opencl", "both precisions, or opencl:single, opencl:double", true, true, true, make_opencl},
+    Known{"opencl", "all precisions, or opencl:single, opencl:mixed, opencl:double", true, true, true,
+          make_opencl},
     Known{"analytic", "the closed form that fits, or analytic:NAME", true, false, false, make_analytic},
     Known{"liggghts", "the installed LIGGGHTS", false, false, true, make_liggghts},
     Known{"lammps", "the installed LAMMPS", false, false, true, make_lammps},

@@ -25,9 +25,9 @@ struct Made {
   bool peer = false;
 };
 
-/// Engines by a name of the command line: "reference", "opencl" (all precisions), "opencl:double",
-/// "analytic", "liggghts", "lammps", "external:COMMAND". Throws InputRefused for a name that is not known, with
-/// those that are. What is known but not here (no device, not installed) is a Made without engine.
+/// Engines by a name of the command line: "reference", "opencl" (all precisions), "opencl:mixed",
+/// "analytic", "liggghts", "lammps", "external:COMMAND". Throws InputRefused for a name that is not known,
+/// with those that are. What is known but not here (no device, not installed) is a Made without engine.
 std::vector<Made> make_engines(const std::string& name, const EngineSettings& settings);
 
 /// As make_engines, for one that has to run: throws InputRefused where it is not available.

@@ -125,8 +125,7 @@ void require_sound_kernels(const Engine& engine, const fs::path& data, const std
   progress.say("testing the kernels on " + of.device + " …");
   const auto run_on = [&](opencl::Path path, const std::string& name, std::span<const char* const> asked) {
     opencl::EngineOptions options;
-    options.precision =
-        of.precision == "double" ? opencl::Precision::double_precision : opencl::Precision::single_precision;
+    options.precision = opencl::precision_named(of.precision).value();
     options.device = device;
     options.kernels = data / "kernels";
     options.path = path;

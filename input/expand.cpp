@@ -28,21 +28,35 @@ class Expansion {
   }
 
   void over_integrators() {
-    if (sweep_.integrators.empty()) return over_offsets();
+    if (sweep_.integrators.empty()) return over_scales();
     for (const IntegratorSweep& swept : sweep_.integrators) {
       set_up_.scene.run.integrator = swept.integrator;
       values_["integrator"] = name_of(swept.integrator);
-      over_offsets();
+      over_scales();
     }
   }
 
  private:
+  void over_scales() {
+    if (sweep_.scales.empty()) return over_offsets();
+    const SetUp as_written = set_up_;
+    for (const Node& scale : sweep_.scales) {
+      scale_ = scale.number();
+      set_up_ = as_written;
+      rescale(set_up_, scale_);
+      contact_ = shortest_contact_of(set_up_);
+      values_["scale"] = scale.label();
+      over_offsets();
+    }
+    set_up_ = as_written;
+  }
+
   void over_offsets() {
     const StabilityGuard guard(set_up_, reading_.options.force);
     if (sweep_.offsets.empty()) return over_steps(set_up_.scene, guard);
     for (const Node& offset : sweep_.offsets) {
       Scene moved = set_up_.scene;
-      shift(moved, offset.vector(), offset);
+      shift(moved, offset_of(offset, moved), offset);
       check_still_inside(moved, offset);
       check_still_apart(moved, offset);
       values_["offset"] = offset.label();
@@ -55,7 +69,10 @@ class Expansion {
       over_rotations(scene, with_error_resolved(wish, scene, set_up_.impact_speed), guard);
     };
     if (sweep_.steps.empty()) return over(*set_up_.step);
-    for (const StepWish& wish : sweep_.steps) over(wish);
+    for (StepWish wish : sweep_.steps) {
+      wish.seconds *= scale_;
+      over(wish);
+    }
   }
 
   void over_rotations(const Scene& scene, const StepWish& wish, const StabilityGuard& guard) {
@@ -95,6 +112,7 @@ class Expansion {
   std::map<std::string, std::string> values_;
   int first_sample_;
   std::optional<double> contact_;
+  double scale_ = 1.0;
   std::vector<ResolvedScene>& out_;
 };
 

@@ -86,8 +86,13 @@ std::string Node::described() const {
 std::string Node::label() const {
   if (is_number()) return shortest(number());
   if (is_text()) return text();
-  if (!is_array()) return described();
   std::string out;
+  if (is_table()) {
+    for (const Node& one : table().nodes())
+      out += (out.empty() ? "" : ", ") + std::string(one.name()) + " = " + one.label();
+    return "{ " + out + " }";
+  }
+  if (!is_array()) return described();
   for (const Node& element : elements()) out += (out.empty() ? "" : ", ") + element.label();
   return "[" + out + "]";
 }

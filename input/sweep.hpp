@@ -48,6 +48,7 @@ struct Sweep {
   std::optional<Orientations> orientations;
   std::optional<Seeds> seeds;
   std::vector<IntegratorSweep> integrators;
+  std::vector<Node> scales;
   std::vector<Node> offsets;
   std::vector<NumberSweep> numbers;
 

@@ -42,7 +42,15 @@ void read_integrators(const Node& node, Sweep& sweep) {
 
 void read_offsets(const Node& node, Sweep& sweep) {
   sweep.offsets = node.at_least_one();
-  for (const Node& offset : sweep.offsets) (void)offset.vector();
+  for (const Node& offset : sweep.offsets) {
+    if (offset.is_table()) offset.table().only({"diameters"});
+    (void)(offset.is_table() ? offset.table().at("diameters") : offset).vector();
+  }
+}
+
+void read_scales(const Node& node, Sweep& sweep) {
+  sweep.scales = node.at_least_one();
+  for (const Node& scale : sweep.scales) (void)scale.positive();
 }
 
 void read_numbers(const Node& node, const Document& document, Sweep& sweep) {
@@ -76,6 +84,7 @@ void read_key(const Node& node, const Document& document, Sweep& sweep) {
   if (node.name() == "orientation") return void(sweep.orientations = read_orientations(node));
   if (node.name() == "seeds") return void(sweep.seeds = read_seeds(node, document));
   if (node.name() == "offset") return read_offsets(node, sweep);
+  if (node.name() == "scale") return read_scales(node, sweep);
   read_numbers(node, document, sweep);
 }
 
@@ -102,8 +111,8 @@ double Sweep::size() const {
   const auto at_least_once = [](std::size_t count) {
     return static_cast<double>(std::max<std::size_t>(count, 1));
   };
-  double product =
-      at_least_once(steps.size()) * at_least_once(integrators.size()) * at_least_once(offsets.size());
+  double product = at_least_once(steps.size()) * at_least_once(integrators.size()) *
+                   at_least_once(scales.size()) * at_least_once(offsets.size());
   for (const NumberSweep& number : numbers) product *= at_least_once(number.values.size());
   return product * phases() * rotations() * seedings();
 }

@@ -17,6 +17,13 @@ std::vector<Rotation> rotations_of(const Sweep& sweep);
 /// i-th of a low-discrepancy sequence in [-1/2, 1/2): additive recurrence with the golden ratio.
 double dither(int sample);
 
+/// The same materials and speeds at `scale` times the size: lengths and times with it, masses with its cube,
+/// stiffnesses as they must for the same motion. Gravity and spins are the larger, the smaller it is.
+void rescale(SetUp& set_up, double scale);
+
+/// A vector in metres, or of the scene's largest diameters.
+Vec3 offset_of(const Node& node, const Scene& scene);
+
 /// Shifts particles, domain, walls and the centre of gravity.
 void shift(Scene& scene, const Vec3& offset, const Node& place);
 

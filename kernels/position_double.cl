@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Positions as doubles, in metres from an origin that the host chooses near the scene.
-// The same functions as position_fixed.cl; nothing outside these two files knows how a position is held.
+// Positions as doubles, in metres from an origin that the host chooses near the scene. With lengths_double.cl or
+// lengths_mixed.cl the same functions as position_fixed.cl; nothing outside these files knows how a position is held.
 typedef struct {
   double4 at;  // w: body radius
 } Position;
@@ -46,7 +46,6 @@ typedef struct {
 INLINE Reach radius_of(Position p) { return p.at.w; }
 INLINE Reach sum_of(Reach a, Reach b) { return a + b; }
 INLINE Reach difference_of(Reach a, Reach b) { return a - b; }
-INLINE real in_metres(Reach r, const global Box* box) { return r; }
 
 INLINE double nearest_image(double d, double period, double half_period) {
   return d > half_period ? d - period : (d < -half_period ? d + period : d);
@@ -63,54 +62,25 @@ INLINE Separation separation(Position from, Position to, const global Box* box) 
   return s;
 }
 
-INLINE real distance_of(Separation s) {
-  return square_root(s.across.x * s.across.x + s.across.y * s.across.y + s.across.z * s.across.z);
-}
-
 INLINE bool within(Separation s, Reach reach) {
   return s.across.x * s.across.x + s.across.y * s.across.y + s.across.z * s.across.z < reach * reach;
 }
-
-INLINE real overlap_of(Separation s, Reach reach, const global Box* box) { return reach - distance_of(s); }
-
-INLINE bool coincide(Separation s) { return !(distance_of(s) > 0); }
-
-INLINE real3 direction_of(Separation s) {
-  const real inverse = 1 / distance_of(s);
-  return s.across * inverse;
-}
-
-INLINE real3 metres_of(Separation s, const global Box* box) { return s.across; }
 
 INLINE double height_over(Position p, PlaneShape plane) {
   const double3 d = p.at.xyz - plane.point.xyz;
   return d.x * plane.normal.x + d.y * plane.normal.y + d.z * plane.normal.z;
 }
 
-INLINE real plane_overlap(Position p, Reach reach, PlaneShape plane, const global Box* box) {
-  return reach - height_over(p, plane);
-}
-
-INLINE real3 plane_normal(PlaneShape plane) { return plane.normal.xyz; }
-
 INLINE PlaneShape plane_through(PlaneShape plane, Position point) {
   plane.point = point.at;
   return plane;
 }
-
-// From the point that a plane is held by, in metres.
-INLINE real3 from_plane(Position p, PlaneShape plane, const global Box* box) { return p.at.xyz - plane.point.xyz; }
 
 // From the axis of a cylinder to the centre, along its two planes' normals.
 INLINE Separation from_axis(Position p, CylinderShape cylinder) {
   Separation s;
   s.across = (double3)(height_over(p, cylinder.across[0]), height_over(p, cylinder.across[1]), 0);
   return s;
-}
-
-INLINE real3 away_from_axis(Separation s, CylinderShape cylinder) {
-  const real3 d = direction_of(s);
-  return d.x * cylinder.across[0].normal.xyz + d.y * cylinder.across[1].normal.xyz;
 }
 
 INLINE double beyond(double d, double half_extent) {
@@ -124,16 +94,6 @@ INLINE Separation rectangle_separation(Position p, RectangleShape shape, const g
   s.across.y = beyond(s.across.y, shape.half_extent.y);
   s.across.z = beyond(s.across.z, shape.half_extent.z);
   return s;
-}
-
-INLINE bool longer_than_radius(Position p, real3 way) {
-  return way.x * way.x + way.y * way.y + way.z * way.z > p.at.w * p.at.w;
-}
-
-// False when the new position is no number.
-INLINE bool displace(Position* p, real3 velocity, real drift) {
-  p->at.xyz += velocity * drift;
-  return !isnan(p->at.x + p->at.y + p->at.z);
 }
 
 INLINE double wrapped(double x, double lower, double upper, double period) {
@@ -162,8 +122,4 @@ INLINE int3 zone_of(Position p, const global Box* box) {
   const double3 zone = (p.at.xyz - box->lower.xyz) * box->zone_scale.xyz;
   const int3 last = box->zones.xyz - 1;
   return clamp(convert_int3_sat(zone), (int3)(0), last);
-}
-
-INLINE real3 phase_of(Position p, const global Wave* wave) {
-  return (p.at.xyz + wave->origin.xyz) * wave->number.xyz;
 }

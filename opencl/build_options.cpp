@@ -66,16 +66,26 @@ std::string file_of(GravityKind kind) {
   return "";
 }
 
-std::vector<std::string> number_files(Precision precision, bool pocl) {
-  const std::string math = pocl ? "math_pocl.cl" : "math_plain.cl";
-  if (precision == Precision::double_precision)
-    return {"prelude.cl", "real_double.cl", math,       "position_double.cl",
-            "world.cl",   "faults.cl",      "sizes.cl", "velocity_plain.cl"};
-  return {"prelude.cl", "real_single.cl", math,       "position_fixed.cl",
-          "world.cl",   "faults.cl",      "sizes.cl", "velocity_compensated.cl"};
+std::string velocity_file(Precision precision) {
+  return precision == Precision::double_precision ? "velocity_plain.cl" : "velocity_compensated.cl";
 }
 
 }  // namespace
+
+std::vector<std::string> number_files(Precision precision, bool pocl) {
+  const std::string math = pocl ? "math_pocl.cl" : "math_plain.cl";
+  switch (precision) {
+    case Precision::single_precision:
+      return {"prelude.cl", "real_single.cl", math, "position_fixed.cl", "world.cl", "faults.cl", "sizes.cl"};
+    case Precision::mixed_precision:
+      return {"prelude.cl",       "real_mixed.cl", math,        "position_double.cl",
+              "lengths_mixed.cl", "world.cl",      "faults.cl", "sizes.cl"};
+    case Precision::double_precision:
+      break;
+  }
+  return {"prelude.cl",        "real_double.cl", math,        "position_double.cl",
+          "lengths_double.cl", "world.cl",       "faults.cl", "sizes.cl"};
+}
 
 BuildOptions build_options(const Scene& scene, const Request& request, Precision precision, bool small) {
   const NearWalls near = near_walls(scene);
@@ -198,6 +208,7 @@ std::vector<std::string> kernel_files(const BuildOptions& o, bool pocl) {
       o.small ? std::vector<std::string>{"small.cl"}
               : std::vector<std::string>{"scan.cl", "sorting.cl", "zones.cl", "pairs.cl", "steps.cl"};
   std::vector<std::string> files = number_files(o.precision, pocl);
+  files.push_back(velocity_file(o.precision));
   for (const auto& part : {law_files(o), detector_files(o), fields, motion_files(o), path})
     files.insert(files.end(), part.begin(), part.end());
   if (o.remembers() && !o.small) files.push_back("carry.cl");

@@ -52,6 +52,9 @@ BuildOptions build_options(const Scene& scene, const Request& request, Precision
 /// `lean` and every stage that cannot change its scene's physics.
 BuildOptions with_every_stage(BuildOptions lean);
 
+/// Those of a program that say what a number is, and what all kernels share; they come first.
+std::vector<std::string> number_files(Precision precision, bool pocl);
+
 /// The kernel files of a program, in order. `pocl` takes clang's builtins instead of the library's functions.
 std::vector<std::string> kernel_files(const BuildOptions& options, bool pocl);
 

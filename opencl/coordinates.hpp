@@ -62,6 +62,12 @@ class Coordinates<Double> {
   Vec3 origin_;
 };
 
+template <>
+class Coordinates<Mixed> : public Coordinates<Double> {
+ public:
+  using Coordinates<Double>::Coordinates;
+};
+
 /// Two unit vectors, perpendicular to each other and to `axis`; exact along the axes of the scene.
 std::array<Vec3, 2> across(const Vec3& axis);
 

@@ -57,8 +57,9 @@ class DecoderOf : public Decoder {
 }  // namespace
 
 std::unique_ptr<Decoder> make_decoder(Precision precision, const Domain& domain) {
-  if (precision == Precision::single_precision) return std::make_unique<DecoderOf<Single>>(domain);
-  return std::make_unique<DecoderOf<Double>>(domain);
+  return with_types_of(precision, [&](auto types) -> std::unique_ptr<Decoder> {
+    return std::make_unique<DecoderOf<decltype(types)>>(domain);
+  });
 }
 
 }  // namespace grainproof::opencl

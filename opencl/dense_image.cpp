@@ -262,21 +262,21 @@ DenseGrid::DenseGrid(const Scene& scene, double list_skin) : skin(list_skin), la
 
 DenseImage make_dense_image(const Scene& scene, const DenseOptions& options, const DenseGrid& grid,
                             std::size_t granularity) {
-  if (options.precision == Precision::single_precision)
-    return DenseImager<Single>(scene, options, grid).make(granularity);
-  return DenseImager<Double>(scene, options, grid).make(granularity);
+  return with_types_of(options.precision, [&](auto types) {
+    return DenseImager<decltype(types)>(scene, options, grid).make(granularity);
+  });
 }
 
 Bytes make_dense_box(const Scene& scene, const DenseOptions& options, const DenseGrid& grid) {
-  if (options.precision == Precision::single_precision)
-    return DenseImager<Single>(scene, options, grid).box_bytes();
-  return DenseImager<Double>(scene, options, grid).box_bytes();
+  return with_types_of(options.precision, [&](auto types) {
+    return DenseImager<decltype(types)>(scene, options, grid).box_bytes();
+  });
 }
 
 DenseBody decoded(const DenseRecords& read, std::size_t i, const DenseOptions& options,
                   const DenseGrid& grid) {
-  if (options.precision == Precision::single_precision) return decoded_as<Single>(read, i, options, grid);
-  return decoded_as<Double>(read, i, options, grid);
+  return with_types_of(options.precision,
+                       [&](auto types) { return decoded_as<decltype(types)>(read, i, options, grid); });
 }
 
 }  // namespace grainproof::opencl

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "opencl/build_options.hpp"
 #include "opencl/layout.hpp"
 #include "opencl/near_walls.hpp"
 #include "opencl/pair_laws.hpp"
@@ -111,27 +112,14 @@ DenseOptions dense_options(const Scene& scene, Precision precision) {
 
 std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
   const bool twice = o.precision == Precision::double_precision;
-  return {"prelude.cl",
-          twice ? "real_double.cl" : "real_single.cl",
-          pocl ? "math_pocl.cl" : "math_plain.cl",
-          twice ? "position_double.cl" : "position_fixed.cl",
-          "world.cl",
-          "faults.cl",
-          "sizes.cl",
-          "scan.cl",
-          "sorting.cl",
-          twice ? "wide_double_8.cl" : "wide_single_16.cl",
-          "dense_box.cl",
-          o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl",
-          "dense_contact.cl",
-          "dense_springs.cl",
-          "dense_pairs.cl",
-          "dense_walls.cl",
-          "dense_step.cl",
-          "dense_order.cl",
-          "dense_seek.cl",
-          "dense_pack.cl",
-          "dense_list.cl"};
+  std::vector<std::string> files = number_files(o.precision, pocl);
+  for (const char* file :
+       {"scan.cl", "sorting.cl", twice ? "wide_double_8.cl" : "wide_single_16.cl", "dense_box.cl",
+        o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl", "dense_contact.cl", "dense_springs.cl",
+        "dense_pairs.cl", "dense_walls.cl", "dense_step.cl", "dense_order.cl", "dense_seek.cl",
+        "dense_pack.cl", "dense_list.cl"})
+    files.emplace_back(file);
+  return files;
 }
 
 std::string dense_definitions(const DenseOptions& o) {

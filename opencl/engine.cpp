@@ -66,10 +66,9 @@ double given_or_usual_skin(const Scene& scene) {
 
 }  // namespace
 
-OpenClEngine::OpenClEngine(EngineOptions options) : options_(std::move(options)) {
-  if (options_.precision != Precision::mixed_precision)
-    workshop_ = std::make_shared<Workshop>(options_.device, options_.kernels);
-}
+OpenClEngine::OpenClEngine(EngineOptions options)
+    : options_(std::move(options)),
+      workshop_(std::make_shared<Workshop>(options_.device, options_.kernels)) {}
 
 OpenClEngine::~OpenClEngine() = default;
 
@@ -78,9 +77,7 @@ std::string OpenClEngine::name() const {
 }
 
 Support OpenClEngine::supports(const Scene& scene, const Request& request) const {
-  if (options_.precision == Precision::mixed_precision)
-    return Support::no("mixed precision is not built yet");
-  if (options_.precision == Precision::double_precision && !workshop_->has_double_precision())
+  if (needs_doubles(options_.precision) && !workshop_->has_double_precision())
     return Support::no("the device " + workshop_->device_name() + " has no double precision");
   if (const Support corrected = corrections_supported(scene, request); !corrected) return corrected;
   return within_limits(scene, options_.precision);
@@ -140,8 +137,8 @@ Provenance OpenClEngine::provenance() const {
   Provenance p;
   p.engine = "opencl";
   p.precision = std::string(name_of(options_.precision));
-  if (workshop_) p.device = workshop_->device_name();
-  if (workshop_) p.version = workshop_->version();
+  p.device = workshop_->device_name();
+  p.version = workshop_->version();
   p.unit_roundoff = options_.precision == Precision::double_precision ? 0x1p-53 : 0x1p-24;
   return p;
 }

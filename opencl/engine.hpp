@@ -45,7 +45,7 @@ std::vector<DeviceDescription> list_devices();
 class RestorableRun;
 class Workshop;
 
-/// The scene's physics on an OpenCL device: "opencl:single", "opencl:double".
+/// The scene's physics on an OpenCL device: "opencl:single", "opencl:mixed", "opencl:double".
 class OpenClEngine : public RestartableEngine {
  public:
   /// Throws EngineFailed when there is no such device.

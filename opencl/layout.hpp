@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "opencl/cl.hpp"
+#include "opencl/precision.hpp"
 
 /// The host's twins of the types in kernels/position_fixed.cl and kernels/position_double.cl,
 /// kernels/world.cl. kernels/sizes.cl reports the device's sizes, which are compared whenever a program is
@@ -9,6 +10,7 @@
 namespace grainproof::opencl {
 
 struct Single {
+  static constexpr Precision precision = Precision::single_precision;
   using Real = cl_float;
   using Real4 = cl_float4;
 
@@ -56,6 +58,7 @@ struct Single {
 };
 
 struct Double {
+  static constexpr Precision precision = Precision::double_precision;
   using Real = cl_double;
   using Real4 = cl_double4;
   using Reach = cl_double;
@@ -90,6 +93,34 @@ struct Double {
     cl_double4 number;
   };
 };
+
+/// Positions of the one, all else of the other.
+struct Mixed {
+  static constexpr Precision precision = Precision::mixed_precision;
+  using Real = Single::Real;
+  using Real4 = Single::Real4;
+  using Reach = Double::Reach;
+  using Position = Double::Position;
+  using Box = Double::Box;
+  using PlaneShape = Double::PlaneShape;
+  using RectangleShape = Double::RectangleShape;
+  using CylinderShape = Double::CylinderShape;
+  using Wave = Double::Wave;
+};
+
+/// What `f` makes of a precision's types: f(Single{}), f(Mixed{}) or f(Double{}).
+template <class F>
+auto with_types_of(Precision precision, const F& f) {
+  switch (precision) {
+    case Precision::single_precision:
+      return f(Single{});
+    case Precision::mixed_precision:
+      return f(Mixed{});
+    case Precision::double_precision:
+      break;
+  }
+  return f(Double{});
+}
 
 template <class P>
 struct Constants {

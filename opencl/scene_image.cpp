@@ -111,14 +111,10 @@ class Imager {
   }
 
   void add_walls() {
-    WallBytes walls = wall_bytes(image_.near, scene_, precision_of());
+    WallBytes walls = wall_bytes(image_.near, scene_, P::precision);
     image_.planes = std::move(walls.planes);
     image_.rectangles = std::move(walls.rectangles);
     image_.cylinders = std::move(walls.cylinders);
-  }
-
-  static constexpr Precision precision_of() {
-    return std::is_same_v<P, Single> ? Precision::single_precision : Precision::double_precision;
   }
 
   /// Padding counts as fixed and is never listed, so kernels need no test for it.
@@ -203,8 +199,8 @@ ZoneGrid choose_zones(const Scene& scene, double skin) {
 }
 
 SceneImage make_image(const Scene& scene, Precision precision, const ZoneGrid& grid, std::size_t work_group) {
-  if (precision == Precision::single_precision) return Imager<Single>(scene, grid, work_group).make();
-  return Imager<Double>(scene, grid, work_group).make();
+  return with_types_of(precision,
+                       [&](auto types) { return Imager<decltype(types)>(scene, grid, work_group).make(); });
 }
 
 Bytes gravity_table(const Gravity& gravity, double step, std::int64_t first, std::int64_t last,
@@ -213,12 +209,12 @@ Bytes gravity_table(const Gravity& gravity, double step, std::int64_t first, std
   const RotatingGravity none{0.0, 1.0};
   if (rotating == nullptr) last = first;
   const RotatingGravity& g = rotating != nullptr ? *rotating : none;
-  if (precision == Precision::single_precision) return table_of<Single>(g, step, first, last);
-  return table_of<Double>(g, step, first, last);
+  return with_types_of(precision,
+                       [&](auto types) { return table_of<decltype(types)>(g, step, first, last); });
 }
 
 std::array<int, 13> shared_sizes(Precision precision) {
-  return precision == Precision::single_precision ? sizes_of<Single>() : sizes_of<Double>();
+  return with_types_of(precision, [](auto types) { return sizes_of<decltype(types)>(); });
 }
 
 }  // namespace grainproof::opencl

@@ -151,14 +151,14 @@ Bytes table_of(const NearWalls& walls, const Scene& scene, std::int64_t first, s
 }  // namespace
 
 WallBytes wall_bytes(const NearWalls& walls, const Scene& scene, Precision precision) {
-  if (precision == Precision::single_precision) return WallImager<Single>(scene).bytes(walls);
-  return WallImager<Double>(scene).bytes(walls);
+  return with_types_of(precision,
+                       [&](auto types) { return WallImager<decltype(types)>(scene).bytes(walls); });
 }
 
 Bytes stand_table(const NearWalls& walls, const Scene& scene, std::int64_t first, std::int64_t last,
                   Precision precision) {
-  if (precision == Precision::single_precision) return table_of<Single>(walls, scene, first, last);
-  return table_of<Double>(walls, scene, first, last);
+  return with_types_of(precision,
+                       [&](auto types) { return table_of<decltype(types)>(walls, scene, first, last); });
 }
 
 double farthest_shift(const WallMotion& motion, double end) {

@@ -10,6 +10,7 @@
 #include "reference_cpu/fields.hpp"
 #include "reference_cpu/memories.hpp"
 #include "reference_cpu/orientations.hpp"
+#include "reference_cpu/origin.hpp"
 
 namespace grainproof::reference {
 namespace {
@@ -27,7 +28,8 @@ Bodies inside_bodies(const Scene& scene, const PeriodicBox& box) {
 }  // namespace
 
 ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger, const Beginning& beginning)
-    : scene_(scene),
+    : origin_(origin_of(scene)),
+      scene_(counted_from(origin_, scene)),
       scheme_(scheme_for(scene_.run.integrator)),
       box_(scene_.domain),
       walls_(scene_),
@@ -156,7 +158,8 @@ void ReferenceRun::raise_trouble() const {
 
 std::vector<Vec3> ReferenceRun::positions() const {
   std::vector<Vec3> positions(bodies_.size());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) positions[bodies_.origin[i]] = bodies_.body[i].position;
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    positions[bodies_.origin[i]] = place_of(bodies_.body[i].position, origin_, scene_.domain);
   return positions;
 }
 

@@ -51,7 +51,8 @@ class ReferenceRun : public RestartableRun {
   /// By how many steps the held velocities are behind; none before the first step.
   double velocity_lag() const { return step_ == first_step_ ? 0.0 : scheme_.velocity_lag; }
 
-  const Scene scene_;
+  const Vec3 origin_;  ///< of the coordinates that the run counts in
+  const Scene scene_;  ///< in those
   const Scheme scheme_;
   const PeriodicBox box_;
   Walls walls_;

@@ -22,10 +22,10 @@ struct Finesse {
   double from, to;  ///< ln of the growth over which a rate is measured: the later, the purer is its motion
 };
 
-/// Single precision has to move a body by more than a quantum of its positions, unless the motion grows
-/// anyway; with friction it need not, and the Coulomb limit is near.
+/// Single and mixed precision have to move a body by more than a quantum of its positions, unless the motion
+/// grows anyway; with friction they need not, and the Coulomb limit is near.
 Finesse finesse_of(const SteppingEngine& engine, const Scene& scene) {
-  if (engine.provenance().precision != "single") return {1e-7, 1e-10, 13.0, 20.0};
+  if (engine.provenance().precision == "double") return {1e-7, 1e-10, 13.0, 20.0};
   return {scene.rotation ? 1e-5 : 1e-4, 1e-7, 11.0, 14.5};
 }
 

@@ -14,8 +14,7 @@ namespace grainproof::opencl::testing {
 namespace {
 
 EngineOptions options_from(const std::string& precision, const std::string& path, bool full) {
-  EngineOptions options =
-      options_for(precision == "single" ? Precision::single_precision : Precision::double_precision);
+  EngineOptions options = options_for(precision_named(precision).value());
   options.path = path == "small" ? Path::small : path == "dense" ? Path::dense : Path::zoned;
   options.stages = full ? Stages::full : Stages::lean;
   options.work_group = 32;

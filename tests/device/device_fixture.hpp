@@ -26,8 +26,6 @@ inline std::string precision_name(const ::testing::TestParamInfo<Precision>& inf
 
 }  // namespace grainproof::opencl::testing
 
-#define GRAINPROOF_IN_BOTH_PRECISIONS(fixture)                                                   \
-  INSTANTIATE_TEST_SUITE_P(Precisions, fixture,                                                  \
-                           ::testing::Values(::grainproof::opencl::Precision::single_precision,  \
-                                             ::grainproof::opencl::Precision::double_precision), \
+#define GRAINPROOF_IN_EVERY_PRECISION(fixture)                                                              \
+  INSTANTIATE_TEST_SUITE_P(Precisions, fixture, ::testing::ValuesIn(::grainproof::opencl::every_precision), \
                            ::grainproof::opencl::testing::precision_name)

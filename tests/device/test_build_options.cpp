@@ -118,6 +118,10 @@ TEST(BuildOptions, FullHasEveryStageAndTheScenesOwnFields) {
 TEST(BuildOptions, ThePrecisionChoosesHowPositionsAreHeld) {
   BuildOptions o;
   EXPECT_TRUE(has(files_of(o), "position_double.cl"));
+  o.precision = Precision::mixed_precision;
+  EXPECT_TRUE(has(files_of(o), "position_double.cl"));
+  EXPECT_TRUE(has(files_of(o), "lengths_mixed.cl"));
+  EXPECT_TRUE(has(files_of(o), "velocity_compensated.cl"));
   o.precision = Precision::single_precision;
   EXPECT_TRUE(has(files_of(o), "position_fixed.cl"));
   EXPECT_FALSE(has(files_of(o), "real_double.cl"));

@@ -105,6 +105,15 @@ TEST(DenseBits, OfCanonicalOrderAreThoseOfASkinOfNextToNothing) {
   }
 }
 
+// docs/precision.md: single decides overlaps in double here.
+TEST(DenseBits, OfMixedPrecisionAreThoseOfSingle) {
+  for (const SumOrder order : {SumOrder::fast, SumOrder::canonical}) {
+    const std::uint64_t single = ended(dense(), bed(order)).digest;
+    EXPECT_EQ(ended(dense(0.01, Precision::mixed_precision), bed(order)).digest, single);
+    EXPECT_NE(ended(dense(0.01, Precision::double_precision), bed(order)).digest, single);
+  }
+}
+
 TEST(DenseBits, OfFastOrderDependOnTheSkin) {
   EXPECT_NE(ended(dense(0.001), bed(SumOrder::fast)).digest, ended(dense(0.03), bed(SumOrder::fast)).digest);
 }

@@ -48,8 +48,7 @@ std::string varied_name(const ::testing::TestParamInfo<Varied>& param) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SameBits,
-                         ::testing::Combine(::testing::Values(Precision::single_precision,
-                                                              Precision::double_precision),
+                         ::testing::Combine(::testing::ValuesIn(every_precision),
                                             ::testing::ValuesIn(varied_scene_names())),
                          varied_name);
 
@@ -202,9 +201,9 @@ TEST_P(HistoryBits, AreOfTheSpringsToo) {
   ASSERT_EQ(state.angular_velocity.size(), scene.particles.size());
 }
 
-GRAINPROOF_IN_BOTH_PRECISIONS(HistoryBits);
+GRAINPROOF_IN_EVERY_PRECISION(HistoryBits);
 
-GRAINPROOF_IN_BOTH_PRECISIONS(ZonedBits);
+GRAINPROOF_IN_EVERY_PRECISION(ZonedBits);
 
 class Samples : public ::testing::TestWithParam<Precision> {};
 
@@ -235,7 +234,7 @@ TEST_P(Samples, EndBeforeTheStepThatWentWrong) {
   EXPECT_EQ(seen.frames.back().step, seen.outcome.step - 1);
 }
 
-GRAINPROOF_IN_BOTH_PRECISIONS(Samples);
+GRAINPROOF_IN_EVERY_PRECISION(Samples);
 
 TEST(Digest, TellsStatesApart) {
   const auto options = with_path(Precision::double_precision, Path::small);

@@ -94,18 +94,18 @@ TEST_P(Failures, AVelocityThatIsNoNumberIsNamed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, Failures,
-                         ::testing::Combine(::testing::Values(Precision::single_precision,
-                                                              Precision::double_precision),
+                         ::testing::Combine(::testing::ValuesIn(every_precision),
                                             ::testing::Values(Path::small, Path::zoned)),
                          [](const ::testing::TestParamInfo<Way>& param) {
                            return std::string(name_of(std::get<0>(param.param))) +
                                   (std::get<1>(param.param) == Path::small ? "_small" : "_zoned");
                          });
 
-TEST(Engine, RefusesMixedPrecisionAsNotBuilt) {
+TEST(Engine, TellsMixedPrecisionByItsName) {
   OpenClEngine engine(options_for(Precision::mixed_precision));
   EXPECT_EQ(engine.name(), "opencl:mixed");
-  EXPECT_EQ(engine.supports(head_on_scene(0.8, 64), {}).because, "mixed precision is not built yet");
+  EXPECT_EQ(engine.provenance().precision, "mixed");
+  EXPECT_EQ(engine.provenance().unit_roundoff, single_roundoff);
 }
 
 TEST(Engine, SaysWhichDevicesThereAreWhenAskedForAnother) {

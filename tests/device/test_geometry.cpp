@@ -174,7 +174,7 @@ TEST_P(Geometry, ADentInACylinderIsKnownAsExactlyAsInAPlane) {
     }
 }
 
-GRAINPROOF_IN_BOTH_PRECISIONS(Geometry);
+GRAINPROOF_IN_EVERY_PRECISION(Geometry);
 
 }  // namespace
 }  // namespace grainproof::opencl::testing

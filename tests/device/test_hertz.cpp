@@ -113,14 +113,11 @@ TEST_P(Hertz, LeavesWithTheRestitutionAskedFor) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ChungOoi, Hertz,
-                         ::testing::Combine(::testing::Values(Precision::single_precision,
-                                                              Precision::double_precision),
-                                            ::testing::ValuesIn(impacts)),
-                         [](const ::testing::TestParamInfo<std::tuple<Precision, Impact>>& param) {
-                           return std::string(name_of(std::get<0>(param.param))) + "_" +
-                                  std::get<1>(param.param).name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    ChungOoi, Hertz, ::testing::Combine(::testing::ValuesIn(every_precision), ::testing::ValuesIn(impacts)),
+    [](const ::testing::TestParamInfo<std::tuple<Precision, Impact>>& param) {
+      return std::string(name_of(std::get<0>(param.param))) + "_" + std::get<1>(param.param).name;
+    });
 
 TEST(HertzCoefficients, ModuliAndTangentialLawAreMindlins) {
   Scene scene = impact_scene(impacts[0]);

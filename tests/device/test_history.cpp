@@ -195,8 +195,7 @@ TEST_P(History, OutlivesRebuildsAndTheCrossingItself) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, History,
-                         ::testing::Combine(::testing::Values(Precision::single_precision,
-                                                              Precision::double_precision),
+                         ::testing::Combine(::testing::ValuesIn(every_precision),
                                             ::testing::Values(Path::small, Path::zoned)),
                          [](const ::testing::TestParamInfo<Way>& param) {
                            return std::string(name_of(std::get<0>(param.param))) +

@@ -132,7 +132,7 @@ TEST_P(Laws, ObliqueHitOnAWallTurnsByTheFrictionImpulse) {
   EXPECT_LE(std::abs(left.x() / left.y() - 0.75), tolerance());
 }
 
-GRAINPROOF_IN_BOTH_PRECISIONS(Laws);
+GRAINPROOF_IN_EVERY_PRECISION(Laws);
 
 }  // namespace
 }  // namespace grainproof::opencl::testing

@@ -66,7 +66,7 @@ TEST_P(LedgerOf, EnergyBalances) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, LedgerOf,
-    ::testing::Combine(::testing::Values(Precision::single_precision, Precision::double_precision),
+    ::testing::Combine(::testing::ValuesIn(every_precision),
                        ::testing::Values("boxed", "damped_friction", "fixed", "sticky", "implicit_drag",
                                          "leapfrog_verlet", "velocity_verlet", "rotating_gravity", "history",
                                          "turning_lammps", "turning_liggghts", "turning_damped", "hertz",

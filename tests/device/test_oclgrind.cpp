@@ -58,12 +58,12 @@ class Oclgrind : public WithOclgrind<::testing::TestWithParam<std::string>> {};
 class OclgrindOnce : public WithOclgrind<::testing::Test> {};
 
 TEST_P(Oclgrind, FindsNothingInTheZonedPath) {
-  for (const char* precision : {"single ", "double "})
+  for (const char* precision : {"single ", "mixed ", "double "})
     expect_clean(run_driver(checker, precision + std::string("zoned ") + GetParam() + " 12 12"));
 }
 
 TEST_P(Oclgrind, FindsNothingInTheSmallPath) {
-  for (const char* precision : {"single ", "double "})
+  for (const char* precision : {"single ", "mixed ", "double "})
     expect_clean(run_driver(checker, precision + std::string("small ") + GetParam() + " 2 12"));
 }
 
@@ -142,7 +142,7 @@ TEST(OclgrindRuns, HaveEveryKernelFileAmongThem) {
 }
 
 TEST_F(OclgrindOnce, FindsNothingInABuildOfEveryStage) {
-  for (const char* precision : {"single ", "double "})
+  for (const char* precision : {"single ", "mixed ", "double "})
     expect_clean(run_driver(checker, precision + std::string("zoned damped_friction 20 6 full")));
 }
 

@@ -197,7 +197,7 @@ TEST(OnsetSupport, HertzAndLedgersAreRefusedWithAReason) {
   EXPECT_NE(engine.supports(scene, {}).because.find("linear"), std::string::npos);
 }
 
-GRAINPROOF_IN_BOTH_PRECISIONS(Onset);
+GRAINPROOF_IN_EVERY_PRECISION(Onset);
 
 }  // namespace
 }  // namespace grainproof::opencl::testing

@@ -102,14 +102,11 @@ const Shape shapes[] = {
     {"one_zone", {0.2, 0.2, 0.2}, {open, open, open}, 0.12},
 };
 
-INSTANTIATE_TEST_SUITE_P(Shapes, PairListOf,
-                         ::testing::Combine(::testing::Values(Precision::single_precision,
-                                                              Precision::double_precision),
-                                            ::testing::ValuesIn(shapes)),
-                         [](const ::testing::TestParamInfo<Case>& param) {
-                           return std::string(name_of(std::get<0>(param.param))) + "_" +
-                                  std::get<1>(param.param).name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, PairListOf, ::testing::Combine(::testing::ValuesIn(every_precision), ::testing::ValuesIn(shapes)),
+    [](const ::testing::TestParamInfo<Case>& param) {
+      return std::string(name_of(std::get<0>(param.param))) + "_" + std::get<1>(param.param).name;
+    });
 
 }  // namespace
 }  // namespace grainproof::opencl::testing

@@ -202,7 +202,7 @@ TEST_P(Rotation, WhatCannotBeIsRefusedWithItsReason) {
                    "rotation"));
 }
 
-GRAINPROOF_IN_BOTH_PRECISIONS(Rotation);
+GRAINPROOF_IN_EVERY_PRECISION(Rotation);
 
 TEST(Inertia, IsTwoFifthsOfMassTimesRadiusSquared) {
   const Scene scene = head_on_scene(0.8, 64);

@@ -45,6 +45,9 @@ const Mistake sweeps[] = {
     {"OnsetAtNoSurface", AFTER("[sweep]\nonset = { phases = 4, at = \"skin\" }"), "skin",
      "\"body\" or \"effect\"", "onset"},
     {"OffsetOfTwo", AFTER("[sweep]\noffset = [[1.0, 0.0]]"), "an array of 2", "three numbers", "offset"},
+    {"OffsetInRadii", AFTER("[sweep]\noffset = [{ radii = [1.0, 0.0, 0.0] }]"), "radii", "diameters",
+     "offset"},
+    {"ScaleOfZero", AFTER("[sweep]\nscale = [0.0]"), "0", "a number above 0", "scale"},
     {"OffsetOfVortices",
      AFTER("flow = { kind = \"taylor_green\", viscosity = 1e-5, amplitude = 1, wave_number = 1 }\n"
            "[sweep]\noffset = [[1.0, 0.0, 0.0]]"),

@@ -122,6 +122,42 @@ TEST(Sweeps, OffsetMovesParticlesWallsAndDomain) {
   EXPECT_EQ(read.scenes[1].point.values.at("offset"), "[1, 2, 3]");
 }
 
+TEST(Sweeps, AnOffsetInDiametersIsInTheLargestOfThemAsScaled) {
+  const Case read = swept("scale = [10]\noffset = [{ diameters = [1e6, 0, 2] }]");
+  EXPECT_NEAR(read.scenes[0].scene.particles[0].position[0], 1e6, 1e-9);
+  EXPECT_NEAR(read.scenes[0].scene.particles[0].position[2], 2.0, 1e-15);
+  EXPECT_EQ(read.scenes[0].point.values.at("offset"), "{ diameters = [1e+06, 0, 2] }");
+}
+
+// Lengths and times in units of their own: diameter, contact's duration, speed of approach.
+TEST(Sweeps, AScaleChangesNoDimensionlessNumber) {
+  const Case read = swept("scale = [1.0, 1e-5]");
+  const Scene &here = read.scenes[0].scene, &there = read.scenes[1].scene;
+  const auto gravity = [](const Scene& scene) {
+    return std::get<ConstantGravity>(scene.gravity).acceleration[2] * scene.run.step / 2.0;
+  };
+  const auto stiffness = [](const Scene& scene) {
+    const double mass = 2000.0 * std::pow(scene.particles[0].diameter, 3);
+    return std::get<LinearNormal>(scene.contacts.at(0, 0).normal).stiffness * std::pow(scene.run.step, 2) /
+           mass;
+  };
+  EXPECT_NEAR(there.particles[0].diameter, 1e-6, 1e-20);
+  EXPECT_NEAR(there.run.step / here.run.step, 1e-5, 1e-19);
+  EXPECT_NEAR(there.run.end / there.run.step, here.run.end / here.run.step, 1e-9);
+  EXPECT_NEAR(there.run.sample_times[1] / there.run.step, here.run.sample_times[1] / here.run.step, 1e-9);
+  EXPECT_EQ(there.particles[1].velocity, here.particles[1].velocity);
+  EXPECT_NEAR(gravity(there) / gravity(here), 1.0, 1e-14);
+  EXPECT_NEAR(stiffness(there) / stiffness(here), 1.0, 1e-14);
+  EXPECT_NEAR(std::get<Plane>(there.walls[0].shape).point[2], -0.5e-5, 1e-20);
+  EXPECT_EQ(read.scenes[1].point.values.at("scale"), "1e-05");
+}
+
+TEST(Sweeps, AStepInSecondsIsScaledUnderTheLabelThatItHas) {
+  const Case read = swept("scale = [10]\nstep = [1e-5]");
+  EXPECT_NEAR(read.scenes[0].scene.run.step, 1e-4, 1e-19);
+  EXPECT_EQ(read.scenes[0].point.step, "1e-05");
+}
+
 TEST(Sweeps, OrientationKeepsEveryAngleAndDistance) {
   const Scene plain = read_text(example).scenes[0].scene;
   const Case read = swept("orientation = { samples = 20, seed = 3 }");

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, CrowdBits, ::testing::Values(SumOrder::fast, Su
                          });
 
 TEST(ZonedBits, AreThoseOfOneThreadAndOfTwoWithADigestThatStates) {
-  for (const char* precision : {"single", "double"}) {
+  for (const char* precision : {"single", "mixed", "double"}) {
     const std::string arguments = std::string(precision) + " zoned leapfrog_verlet 2 100";
     const Finished one = run_driver("POCL_MAX_PTHREAD_COUNT=1", arguments);
     const Finished two = run_driver("POCL_MAX_PTHREAD_COUNT=2", arguments);

@@ -33,6 +33,8 @@ const Subject reference_subject{"reference", [] { return std::make_unique<refere
 std::vector<Subject> device_subjects() {
   return {on_path(Precision::single_precision, Path::small, "single_small"),
           on_path(Precision::single_precision, Path::zoned, "single_zoned"),
+          on_path(Precision::mixed_precision, Path::small, "mixed_small"),
+          on_path(Precision::mixed_precision, Path::zoned, "mixed_zoned"),
           on_path(Precision::double_precision, Path::small, "double_small"),
           on_path(Precision::double_precision, Path::zoned, "double_zoned")};
 }
@@ -126,12 +128,14 @@ INSTANTIATE_TEST_SUITE_P(Scenes, DeviceRestart,
 
 TEST(DenseRestart, ChangesNoBitInEitherOrder) {
   Scene scene = crowded_scene({.across = 7, .layers = 7});
-  const Subject dense = on_path(Precision::single_precision, Path::dense, "dense");
-  for (const SumOrder order : {SumOrder::fast, SumOrder::canonical}) {
-    scene.run.order = order;
-    std::vector<std::int64_t> stops = random_steps(10, crowd_steps);
-    stops.push_back(0);
-    expect_same_bits(dense, scene, stops, crowd_steps);
+  for (const Precision precision : {Precision::single_precision, Precision::mixed_precision}) {
+    const Subject dense = on_path(precision, Path::dense, std::string(name_of(precision)) + "_dense");
+    for (const SumOrder order : {SumOrder::fast, SumOrder::canonical}) {
+      scene.run.order = order;
+      std::vector<std::int64_t> stops = random_steps(10, crowd_steps);
+      stops.push_back(0);
+      expect_same_bits(dense, scene, stops, crowd_steps);
+    }
   }
 }
 

@@ -3,7 +3,8 @@
 """The main job as a user runs it while working: every quick case on every engine.
 
 Usage: every_case.py PROGRAM SCENES. Fails unless all rows hold, every quick case was judged on the reference and
-on OpenCL in single and double (or is what they are held against), and the peers have judged what they can.
+on OpenCL in single and double (or is what they are held against), those with a claim for mixed alone on that too, and
+the peers have judged what they can.
 """
 import json
 import pathlib
@@ -26,7 +27,7 @@ def engine_of(row):
     return name if ":" in name or row["precision"] in ("", None) or name != "opencl" else f"opencl:{row['precision']}"
 
 
-def complaints(results, cases):
+def complaints(results, cases, cases_for_mixed):
     for row in results:
         row["engine"] = engine_of(row)
         if row["verdict"] == "fail":
@@ -38,6 +39,9 @@ def complaints(results, cases):
         for engine in OUR_ENGINES:
             if not judged(results, case, engine) and f"engine:{engine}" not in held_against:
                 yield f"{case} was not judged on {engine}"
+    for case in cases_for_mixed:
+        if not judged(results, case, "opencl:mixed"):
+            yield f"{case} was not judged on opencl:mixed"
     for case in CASES_FOR_PEERS:
         for peer in PEERS:
             if not judged(results, case, peer):
@@ -48,13 +52,19 @@ def is_quick(path):
     return tomllib.loads(path.read_text()).get("tier", "quick") == "quick"
 
 
+def is_for_mixed(path):
+    return any(claim.get("engines") == ["opencl:mixed"] for claim in tomllib.loads(path.read_text()).get("expect", []))
+
+
 def main(program, scenes):
-    cases = sorted(path.stem for path in pathlib.Path(scenes).rglob("*.toml") if is_quick(path))
+    files = [path for path in pathlib.Path(scenes).rglob("*.toml") if is_quick(path)]
+    cases = sorted(path.stem for path in files)
+    cases_for_mixed = sorted(path.stem for path in files if is_for_mixed(path))
     with tempfile.TemporaryDirectory() as folder:
         results_file = pathlib.Path(folder) / "results.json"
         run = subprocess.run([program, "verify", "--quick", "--quiet", "--json", results_file], stdout=subprocess.PIPE, text=True)
         results = json.loads(results_file.read_text())["results"]
-    found = list(complaints(results, cases))
+    found = list(complaints(results, cases, cases_for_mixed))
     print("\n".join(run.stdout.splitlines()[-len(cases) - 4:]))
     print("\n".join(found))
     return 1 if found or run.returncode != 0 else 0
