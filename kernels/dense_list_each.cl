@@ -12,12 +12,10 @@ typedef struct {
   float radius;
 } Seeker;
 
-INLINE Seeker seeker_of(const KNOWN DenseBox* box, const global uint* coarse, const global int* zone_starts, int padded,
-                        int self) {
-  const Seeker s = {box, coarse, zone_starts, padded, self, coarse[self], coarse[padded + self],
-                    coarse[2 * padded + self], as_float(coarse[3 * padded + self])};
-  return s;
-}
+// Of a kernel's own arguments.
+#define SEEKER_OF(self)                                                                                             \
+  {box, coarse, zone_starts, padded, self, coarse[self], coarse[padded + self], coarse[2 * padded + self],          \
+   as_float(coarse[3 * padded + self])}
 
 // Where partners go: nowhere while they are counted, else into the lane of the particle, named by their places.
 typedef struct {
@@ -75,16 +73,14 @@ INLINE void take_in_row(Seeker s, int row, int across, const Sink* sink, Counts*
   if (across == zones - 1 && low > 0) take_among(s, starts[0], starts[1], sink, counts);
 }
 
-INLINE Counts take_all(Seeker s, int zone, const Sink* sink) {
+INLINE void take_all(Seeker s, int zone, const Sink* sink, Counts* counts) {
   const int4 zones = s.box->zones, periodic = s.box->periodic;
   const int row = zone / zones.x;
-  Counts counts = {0, 0};
   for (int k = 0; k < 9; ++k) {
     const int y = row_to_visit(row % zones.y, k % 3, zones.y, periodic.y);
     const int z = row_to_visit(row / zones.y, k / 3, zones.z, periodic.z);
-    if (y >= 0 && z >= 0) take_in_row(s, z * zones.y + y, zone % zones.x, sink, &counts);
+    if (y >= 0 && z >= 0) take_in_row(s, z * zones.y + y, zone % zones.x, sink, counts);
   }
-  return counts;
 }
 
 // near_counts: of particles in order of zones. A work-group is a window; order, places: dense_list.
@@ -98,7 +94,9 @@ kernel void dense_count(const KNOWN DenseBox* box, const global uint* coarse, co
   nowhere.near_count = 0;
   int bucket = BUCKETS;
   if (self < box->counts.x) {
-    const Counts counts = take_all(seeker_of(box, coarse, zone_starts, padded, self), zones_of[self], &nowhere);
+    const Seeker seeker = SEEKER_OF(self);
+    Counts counts = {0, 0};
+    take_all(seeker, zones_of[self], &nowhere, &counts);
     near_counts[self] = counts.near | counts.far << 16;
     bucket = bucket_of(counts.near, counts.far);
   }
@@ -174,5 +172,7 @@ kernel void dense_list(const KNOWN DenseBox* box, const global DensePlane* plane
   fill_lane(latter, head, lane, place, counts, rows, window.rows[g]);
   if (!is_one) return;
   if (HISTORY) carry_walls(&sink, lane);
-  take_all(seeker_of(box, coarse, zone_starts, padded, self), zones_of[self], &sink);
+  const Seeker seeker = SEEKER_OF(self);
+  Counts taken = {0, 0};
+  take_all(seeker, zones_of[self], &sink, &taken);
 }

@@ -9,7 +9,7 @@ INLINE const global phase* built_row(const global phase* rows, int i) {
 
 // A phase that has wrapped since `then` has entered the next cell, or the one before.
 INLINE int cell_after(int cell, phase now, phase then, int cells, int periodic) {
-  const phase moved = now - then;
+  const phase moved = (phase)((bare_phase)now - (bare_phase)then);
   int next = cell;
   if (moved >= 0 && (bare_phase)now < (bare_phase)then) ++next;
   if (moved < 0 && (bare_phase)now > (bare_phase)then) --next;

@@ -7,7 +7,7 @@
 #define GROUP 32
 #define KNOWN constant
 typedef real reals;
-typedef phase phases;
+typedef bare_phase phases;  // differences wrap, which those of signed scalars need not
 typedef int flags;
 typedef int indices;
 
@@ -17,10 +17,10 @@ typedef struct {
 
 INLINE reals load_reals(const global real* from) { return *from; }
 INLINE void store_reals(global real* to, reals values) { *to = values; }
-INLINE phases load_phases(const global phase* from) { return *from; }
+INLINE phases load_phases(const global phase* from) { return (phases)*from; }
 INLINE indices load_indices(const global int* from) { return *from; }
 INLINE indices load_entries(const global uint* from) { return (int)*from; }
-INLINE reals to_reals(phases p) { return (real)p; }
+INLINE reals to_reals(phases p) { return (real)(phase)p; }
 INLINE reals roots_of(reals x) { return sqrt(x); }
 INLINE reals magnitudes(reals x) { return fabs(x); }
 INLINE flags different(indices a, indices b) { return a != b; }
@@ -47,19 +47,18 @@ INLINE void store_own(global real4* records, int first, int quarter, Quarter q) 
 }
 
 typedef double lengths;
-INLINE lengths length_in(phases p, double unit) { return (double)p * unit; }
+INLINE lengths length_in(phases p, double unit) { return (double)(phase)p * unit; }
 INLINE reals rounded(lengths l) { return (real)l; }
-INLINE lengths exact_phases(phases p) { return (double)(bare_phase)p; }
+INLINE lengths exact_phases(phases p) { return (double)p; }
 INLINE lengths exact_indices(indices i) { return (double)i; }
 INLINE lengths cells_entered(phases now, phases then) {
-  const phases moved = now - then;
-  if (moved >= 0) return (bare_phase)now < (bare_phase)then ? 1.0 : 0.0;
-  return (bare_phase)now > (bare_phase)then ? -1.0 : 0.0;
+  if ((phase)(now - then) >= 0) return now < then ? 1.0 : 0.0;
+  return now > then ? -1.0 : 0.0;
 }
 
 // σ² − r² in double, as wide_single_16.cl and wide_double_8.cl have it.
 INLINE reals square_gap(phases x, phases y, phases z, double4 quantum, double sum) {
-  const double a = (double)x * quantum.x, b = (double)y * quantum.y, c = (double)z * quantum.z;
+  const double a = (double)(phase)x * quantum.x, b = (double)(phase)y * quantum.y, c = (double)(phase)z * quantum.z;
   return (real)fma(sum, sum, -fma(a, a, fma(b, b, c * c)));
 }
 

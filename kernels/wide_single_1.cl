@@ -7,16 +7,16 @@ typedef int phase;
 typedef uint bare_phase;
 typedef int4 phase4;
 
-INLINE phase phases_of(real bits) { return as_int(bits); }
-INLINE real bits_of_phases(phase p) { return as_float(p); }
+INLINE bare_phase phases_of(real bits) { return as_uint(bits); }
+INLINE real bits_of_phases(bare_phase p) { return as_float(p); }
 INLINE phase4 phase4_of(real4 bits) { return as_int4(bits); }
 
 // What is left of a position below a unit, and what rounding left out of a velocity.
 #define KEPT 6
 
 // Kicks a velocity along an axis and moves with it, losing nothing: docs/precision.md.
-INLINE phase kick_and_move(phase p, real* velocity, global real* part, global real* rest, real change, real drift,
-                           int moves) {
+INLINE bare_phase kick_and_move(bare_phase p, real* velocity, global real* part, global real* rest, real change,
+                                real drift, int moves) {
   const real left_out = *rest;
   const real y = change + left_out, sum = *velocity + y, seen = sum - *velocity;
   *rest = moves ? (*velocity - (sum - seen)) + (y - seen) : left_out;
@@ -26,5 +26,5 @@ INLINE phase kick_and_move(phase p, real* velocity, global real* part, global re
   const real left = *part + (move - (real)leap);
   const int more = (int)left;
   *part = left - (real)more;
-  return p + leap + more;
+  return p + (uint)leap + (uint)more;
 }
