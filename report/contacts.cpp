@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -16,18 +15,35 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// Cells at least one diameter wide; along a periodic axis a whole number of them fills the domain.
+/// Cells at least one diameter wide, and so much wider that there are no more than a few for each particle;
+/// along a periodic axis a whole number of them fills the domain.
 struct Grid {
   const Domain& domain;
   Cell cells{};
   Vec3 width = Vec3::Zero();
 
-  Grid(const Domain& box, double diameter) : domain(box) {
-    for (int axis = 0; axis < 3; ++axis) {
-      cells[axis] =
-          std::clamp<std::int64_t>(std::llround(std::floor(box.extent()[axis] / diameter)), 1, 1 << 20);
-      width[axis] = box.extent()[axis] / static_cast<double>(cells[axis]);
-    }
+  Grid(const Domain& box, double diameter, std::size_t particles) : domain(box) {
+    const double most = 4.0 * static_cast<double>(particles) + 64.0;
+    for (double least = diameter; width.isZero() || count() > most; least *= 1.25)
+      for (int axis = 0; axis < 3; ++axis) {
+        cells[axis] =
+            std::clamp<std::int64_t>(std::llround(std::floor(box.extent()[axis] / least)), 1, 1 << 20);
+        width[axis] = box.extent()[axis] / static_cast<double>(cells[axis]);
+      }
+  }
+
+  double count() const {
+    return static_cast<double>(cells[0]) * static_cast<double>(cells[1]) * static_cast<double>(cells[2]);
+  }
+
+  bool has(const Cell& cell) const {
+    for (int axis = 0; axis < 3; ++axis)
+      if (cell[axis] < 0 || cell[axis] >= cells[axis]) return false;
+    return true;
+  }
+
+  std::size_t index(const Cell& cell) const {
+    return static_cast<std::size_t>((cell[2] * cells[1] + cell[1]) * cells[0] + cell[0]);
   }
 
   Cell cell_of(const Vec3& position) const {
@@ -67,8 +83,11 @@ void each_contact(const Scene& scene, const Frame& frame,
                   const std::function<void(std::size_t, std::int64_t, double)>& visit) {
   double largest = 0.0;
   for (const Particle& particle : scene.particles) largest = std::max(largest, particle.diameter);
-  const Grid grid(scene.domain, largest);
-  std::map<Cell, std::vector<std::size_t>> earlier;
+  const Grid grid(scene.domain, largest, frame.position.size());
+  // Of each cell the particle that came last, and of each particle the one before it in its cell.
+  constexpr std::int64_t none = -1;
+  std::vector<std::int64_t> last(static_cast<std::size_t>(grid.count()), none);
+  std::vector<std::int64_t> before(frame.position.size(), none);
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     const Vec3& here = frame.position[i];
     const double radius = scene.particles[i].diameter / 2.0;
@@ -77,15 +96,15 @@ void each_contact(const Scene& scene, const Frame& frame,
         visit(i, -1 - static_cast<std::int64_t>(w), radius - gap);
     const Cell cell = grid.cell_of(here);
     for (const Cell& near : grid.around(cell)) {
-      const auto found = earlier.find(near);
-      if (found == earlier.end()) continue;
-      for (std::size_t j : found->second) {
+      if (!grid.has(near)) continue;
+      for (std::int64_t k = last[grid.index(near)]; k != none; k = before[static_cast<std::size_t>(k)]) {
+        const auto j = static_cast<std::size_t>(k);
         const double reach = radius + scene.particles[j].diameter / 2.0;
         const double apart = nearest_image(scene.domain, frame.position[j] - here).norm();
-        if (apart < reach) visit(i, static_cast<std::int64_t>(j), reach - apart);
+        if (apart < reach) visit(i, k, reach - apart);
       }
     }
-    earlier[cell].push_back(i);
+    before[i] = std::exchange(last[grid.index(cell)], static_cast<std::int64_t>(i));
   }
 }
 
