@@ -86,8 +86,12 @@ void add_run(CLI::App& program, Command& chosen) {
   command->add_flag("--csv", options->csv,
                     "With --out: also frames.csv, time,id,x,y,z,vx,vy,vz, with rotation wx,wy,wz, with "
                     "orientation qw,qx,qy,qz, in full precision");
-  command->add_flag("--no-ledger", options->no_ledger,
-                    "Keep no energy and impulse ledger: faster, and no walls.csv");
+  auto* ledger = command->add_flag("--ledger", options->ledger,
+                                   "Keep the ledger of energies and impulses, and so walls.csv, also of 512 "
+                                   "particles and more: several times slower on a device");
+  command
+      ->add_flag("--no-ledger", options->no_ledger, "Keep none of fewer either, nor where a claim needs it")
+      ->excludes(ledger);
   command->add_option("--from", options->from, "Go on from a checkpoint of this scene")->type_name("FILE");
   command
       ->add_option("--checkpoint-every", options->checkpoint_every,

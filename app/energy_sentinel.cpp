@@ -7,7 +7,7 @@
 
 #include "analytic/contact_scales.hpp"
 #include "model/errors.hpp"
-#include "report/contacts.hpp"
+#include "report/energies.hpp"
 #include "report/numbers.hpp"
 
 namespace grainproof::app {
@@ -21,19 +21,9 @@ double mass_of(const Scene& scene, const Particle& particle) {
                                particle.diameter);
 }
 
-double kinetic_of(const Scene& scene, const Frame& frame, std::size_t i) {
-  const Particle& particle = scene.particles[i];
-  if (particle.fixed) return 0.0;
-  double twice = frame.velocity[i].squaredNorm();
-  const double radius = particle.diameter / 2.0;
-  if (!frame.angular_velocity.empty())
-    twice += 0.4 * radius * radius * frame.angular_velocity[i].squaredNorm();
-  return 0.5 * mass_of(scene, particle) * twice;
-}
-
 double kinetic_of(const Scene& scene, const Frame& frame) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < scene.particles.size(); ++i) sum += kinetic_of(scene, frame, i);
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) sum += report::kinetic_energy(scene, frame, i);
   return sum;
 }
 
@@ -52,39 +42,14 @@ double gravity_work(const Scene& scene, const Frame& from, const Frame& to) {
   return std::abs(sum);
 }
 
-/// In normal springs, and the most that friction lets tangential ones hold beside them.
-double held_in(const Scene& scene, const ContactLaws& laws, std::pair<std::size_t, std::size_t> materials,
-               double radius, double overlap) {
-  double shares = 1.0;
+/// One, and the most that friction lets tangential springs hold beside the normal one.
+double normal_and_tangential(const ContactLaws& laws) {
+  const auto* history = std::get_if<HistoryFriction>(&laws.friction);
+  if (history == nullptr) return 1.0;
   const auto* linear = std::get_if<LinearNormal>(&laws.normal);
-  if (const auto* history = std::get_if<HistoryFriction>(&laws.friction))
-    shares += linear == nullptr
-                  ? 1.0
-                  : history->coefficient * history->coefficient * linear->stiffness / history->stiffness;
-  if (linear != nullptr) return shares * 0.5 * linear->stiffness * overlap * overlap;
-  const auto compliance = [&](std::size_t m) {
-    const Elasticity& e = scene.materials[m].elasticity.value();
-    return (1.0 - e.poisson_ratio * e.poisson_ratio) / e.youngs_modulus;
-  };
-  const double modulus = 1.0 / (compliance(materials.first) + compliance(materials.second));
-  return shares * 8.0 / 15.0 * modulus * std::sqrt(radius) * std::pow(overlap, 2.5);
-}
-
-double held_in_contacts(const Scene& scene, const Frame& frame) {
-  double sum = 0.0;
-  report::each_contact(scene, frame, [&](std::size_t i, std::int64_t other, double overlap) {
-    const Particle& one = scene.particles[i];
-    double radius = one.diameter / 2.0;
-    const bool wall = other < 0;
-    const auto partner = static_cast<std::size_t>(wall ? -1 - other : other);
-    const auto b =
-        static_cast<std::size_t>(wall ? scene.walls[partner].material : scene.particles[partner].material);
-    if (!wall)
-      radius *= scene.particles[partner].diameter / (one.diameter + scene.particles[partner].diameter);
-    const auto a = static_cast<std::size_t>(one.material);
-    if (scene.contacts.has(a, b)) sum += held_in(scene, scene.contacts.at(a, b), {a, b}, radius, overlap);
-  });
-  return sum;
+  return linear == nullptr
+             ? 2.0
+             : 1.0 + history->coefficient * history->coefficient * linear->stiffness / history->stiffness;
 }
 
 bool sources_are_told_by_positions(const Scene& scene) {
@@ -149,7 +114,7 @@ void EnergySentinel::look_without(const Frame& frame) {
     const double gained = now - then - fallen;
     // The overlaps are looked at only where they matter: that costs as much as tens of steps.
     if (gained > limit * (then + fallen)) {
-      const double held = held_in_contacts(scene_, *frame_);
+      const double held = report::energy_of_overlaps(scene_, *frame_, normal_and_tangential);
       if (gained - held > limit * (then + fallen + held))
         tell(frame, then, now, gained - held, limit * (then + fallen + held));
     }
@@ -161,7 +126,8 @@ void EnergySentinel::tell(const Frame& frame, double before, double now, double 
                           double allowed) const {
   std::size_t fastest = 0;
   for (std::size_t i = 1; i < scene_.particles.size(); ++i)
-    if (kinetic_of(scene_, frame, i) > kinetic_of(scene_, frame, fastest)) fastest = i;
+    if (report::kinetic_energy(scene_, frame, i) > report::kinetic_energy(scene_, frame, fastest))
+      fastest = i;
   std::string text =
       "kinetic energy has risen from " + report::brief(before) + " J at step " +
       std::to_string(frame_->step) + " to " + report::brief(now) + " J, and " + report::brief(gained) +

@@ -21,15 +21,33 @@
 namespace grainproof::app {
 namespace {
 
+/// From here on a ledger costs as much as the run itself: opencl/dense_options.hpp has no room for one.
+constexpr std::size_t too_many_for_a_ledger = 512;
+
+/// Where it is asked for, costs next to nothing, is what the case is about, or was kept so far.
+bool ledger_wanted(const RunOptions& options, const ChosenScene& chosen,
+                   const std::optional<report::SavedCheckpoint>& saved) {
+  if (options.ledger || options.no_ledger) return options.ledger;
+  return chosen.scene.particles.size() < too_many_for_a_ledger || chosen.claims_ledger ||
+         (saved && saved->checkpoint.ledger);
+}
+
+Support keeps_ledger(const Engine& engine, const Scene& scene) {
+  Request request;
+  request.ledger = true;
+  return engine.supports(scene, request);
+}
+
 /// With the energy ledger where it is wanted and the engine can keep one. Throws InputRefused where it
-/// cannot run at all.
-Request supported_request(const Engine& engine, const Scene& scene, bool no_ledger) {
+/// cannot run at all, or not with the ledger that was asked for outright.
+Request supported_request(const Engine& engine, const Scene& scene, bool wanted, bool insisted) {
   if (const Support support = engine.supports(scene, {}); !support)
     throw InputRefused(engine.name() + " does not support this scene: " + support.because);
   Request request;
-  if (no_ledger) return request;
-  request.ledger = true;
-  request.ledger = engine.supports(scene, request).yes;
+  if (!wanted) return request;
+  const Support support = keeps_ledger(engine, scene);
+  if (!support && insisted) throw InputRefused(engine.name() + " keeps no ledger of it: " + support.because);
+  request.ledger = support.yes;
   return request;
 }
 
@@ -74,7 +92,8 @@ report::RunSummary summarise(const ChosenScene& chosen, const Driven& seen, std:
   summary.step_because = chosen.step_because;
   summary.first_step = seen.first_step;
   summary.digest = seen.digest;
-  if (!seen.frames.empty()) summary.contacts = report::count_contacts(chosen.scene, seen.frames.back());
+  if (!seen.frames.empty())
+    summary.last_energies = report::energies_of(chosen.scene, seen.frames.back(), summary.contacts);
   summary.peak_memory = report::peak_memory_bytes();
   return summary;
 }
@@ -105,9 +124,10 @@ int run_scene(const RunOptions& options, Terminal& terminal) {
   const auto data = data_root();
   const auto engine = make_engine(options.engine, {data, options.precision, options.device});
   const ChosenScene chosen = choose_scene(data, options.scene, options.nth, options.force, progress);
-  const Request request = supported_request(*engine, chosen.scene, options.no_ledger);
   const KeeperOptions kept = keeper_options(options);
   const auto saved = saved_run(options, chosen);
+  const bool wanted = ledger_wanted(options, chosen, saved);
+  const Request request = supported_request(*engine, chosen.scene, wanted, options.ledger);
   if (!options.no_self_test) require_sound_kernels(*engine, data, options.device, progress);
   if (saved) say_how_it_goes_on(*engine, chosen.scene, request, *saved, progress);
   RunKeeper keeper(chosen.scene, kept, origin_of(*engine, chosen));
@@ -117,15 +137,19 @@ int run_scene(const RunOptions& options, Terminal& terminal) {
   std::optional<report::WallWriter> walls;
   if (writer && request.ledger && !chosen.scene.walls.empty()) walls.emplace(options.out, chosen.scene);
   std::int64_t frames = 0;
+  std::optional<report::Energies> first;
   const Driven seen = drive(*engine, chosen.scene, request, progress,
                             [&](const Frame& frame, const Ledger* ledger) {
                               if (writer) writer->write(frame);
                               if (walls && ledger) walls->write(frame.time, *ledger);
-                              ++frames;
+                              if (frames++ == 0) first = report::energies_of(chosen.scene, frame);
                             },
                             {saved ? &saved->checkpoint : nullptr, &keeper});
 
-  const report::RunSummary summary = summarise(chosen, seen, frames);
+  report::RunSummary summary = summarise(chosen, seen, frames);
+  summary.first_energies = first;
+  if (!wanted && !options.no_ledger && keeps_ledger(*engine, chosen.scene))
+    summary.no_ledger_because = "none of so many particles, for speed; --ledger keeps one";
   const std::string json = report::summary_json(summary, seen, report::this_machine()).dump(2) + "\n";
   if (!options.out.empty()) report::write_file(options.out / "summary.json", json);
   if (!options.json.empty()) report::write_file(options.json, json);

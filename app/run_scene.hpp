@@ -16,7 +16,8 @@ struct RunOptions {
   std::filesystem::path out;   ///< folder for frames and summary.json; empty writes none
   std::filesystem::path json;  ///< summary; empty writes none
   bool csv = false;
-  bool no_ledger = false;
+  bool ledger = false;     ///< wanted, however large the scene
+  bool no_ledger = false;  ///< not wanted, however small
   bool no_sentinels = false;
   bool no_self_test = false;
   std::filesystem::path from;    ///< checkpoint to go on from; empty starts at the beginning

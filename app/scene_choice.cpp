@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/scene_choice.hpp"
 
+#include <algorithm>
+
 #include "app/resources.hpp"
+#include "comparisons/quantity.hpp"
 #include "input/read_case.hpp"
 #include "model/errors.hpp"
 
@@ -13,6 +16,13 @@ std::string described(const SweepPoint& point) {
   std::string text = "step " + point.step + ", sample " + std::to_string(point.sample);
   for (const auto& [key, value] : point.values) text += ", " + key + " " + value;
   return text;
+}
+
+bool claims_ledger(const Case& subject) {
+  return std::any_of(subject.expectations.begin(), subject.expectations.end(), [](const Expectation& claim) {
+    const Quantity* quantity = quantity_named(claim.quantity);
+    return quantity != nullptr && quantity->ledger;
+  });
 }
 
 }  // namespace
@@ -31,7 +41,7 @@ ChosenScene choose_scene(const std::filesystem::path& data, const std::string& n
   if (nth == 0 && count > 1)
     progress.say(subject.name + " expands to " + std::to_string(count) + " scenes; taking the first (" +
                  described(chosen.point) + "), --nth N takes another");
-  return {subject.name, std::move(chosen.scene), chosen.point.step_because};
+  return {subject.name, std::move(chosen.scene), chosen.point.step_because, claims_ledger(subject)};
 }
 
 }  // namespace grainproof::app

@@ -13,6 +13,7 @@ struct ChosenScene {
   std::string name;  ///< the case's
   Scene scene;
   std::string step_because = {};  ///< as SweepPoint has it
+  bool claims_ledger = false;     ///< what the case claims is read off the ledger
 };
 
 /// The nth scene (from 1) of the case that a file expands to. With 0 it is the first, and `progress`

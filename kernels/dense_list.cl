@@ -1,47 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes the lists of a window down, and carries springs over from the list before.
-typedef struct {
-  global int4* heads;
-  global uint* list;
-  global real* springs;
-  global int* marks;
-} Latter;
-
-// Bits of the planes that a particle may touch while the list lasts, and one for the faces of the domain.
-INLINE int walls_near(const global DenseBox* box, const global DensePlane* planes, phase4 p, int3 cell) {
-  int near = 0;
-  const double4 size = box->cell, low = box->domain_lower, high = box->domain_upper;
-  const double scale = PHASE_BITS == 32 ? 0x1p-32 : 0x1p-64, margin = box->alike.w;
-  const double x = box->lower.x + ((double)cell.x + (double)(bare_phase)p.x * scale) * size.x;
-  const double y = box->lower.y + ((double)cell.y + (double)(bare_phase)p.y * scale) * size.y;
-  const double z = box->lower.z + ((double)cell.z + (double)(bare_phase)p.z * scale) * size.z;
-  const double reach = box->alike.z + (VARIED ? (double)p.w * box->quantum.w : box->alike.y);
-  for (int k = 0; k < box->counts.y; ++k) {
-    const double4 n = planes[k].normal;
-    if (x * n.x + y * n.y + z * n.z - n.w < reach) near |= 1 << k;
-  }
-  if (x - low.x < margin || high.x - x < margin || y - low.y < margin || high.y - y < margin || z - low.z < margin ||
-      high.z - z < margin)
-    near |= 1 << FACE_BIT;
-  return near;
-}
-
-// By near partners first, then by all.
-#define BUCKETS 512
-INLINE int bucket_of(const Found* found, int i) {
-  const int near = found->near_count[i], all = near + found->far_count[i];
-  return min(near, 15) * 32 + min(all, 31);
-}
 
 // A window in the order in which it was searched, and in which it will stand: those with alike counts next to each
 // other, so that slots are full.
 INLINE void order_window(const Found* found, int count, int* order) {
   int starts[BUCKETS + 1];
   for (int k = 0; k <= BUCKETS; ++k) starts[k] = 0;
-  for (int i = 0; i < count; ++i) ++starts[bucket_of(found, i) + 1];
+  for (int i = 0; i < count; ++i) ++starts[bucket_of(found->near_count[i], found->far_count[i]) + 1];
   for (int k = 0; k < BUCKETS; ++k) starts[k + 1] += starts[k];
-  for (int i = 0; i < count; ++i) order[starts[bucket_of(found, i)]++] = i;
+  for (int i = 0; i < count; ++i) order[starts[bucket_of(found->near_count[i], found->far_count[i])]++] = i;
   for (int i = count; i < WINDOW; ++i) order[i] = i;
 }
 
@@ -71,14 +39,6 @@ INLINE void mark_slots(global int* marks, int4 head, int rows, int first_row) {
   for (int k = 0; k < head.y; ++k) marks[head.x + k] = k < rows ? mark_of_row(first_row + k) : 0;
 }
 
-typedef struct {
-  const global DenseBox* box;
-  const global DensePlane* planes;
-  const global real4* records;  // as they stood before
-  const global int* cells;
-  const global int* members;
-} Site;
-
 // Particles order[0 … GROUP − 1] of the window that begins at `first`. near: most near partners of one of them.
 INLINE int4 head_of(Site s, int first, const int* order, const Found* found, global int* totals, int* near) {
   int planes = 0, longest = 0;
@@ -95,7 +55,7 @@ INLINE int4 head_of(Site s, int first, const int* order, const Found* found, glo
   return (int4)(slots > 0 ? atomic_add(totals + SLOTS_WANTED, slots) : 0, slots, planes, walls);
 }
 
-INLINE void seek_for_window(const global DenseBox* box, const global uint* coarse, int padded, int first,
+INLINE void seek_for_window(const KNOWN DenseBox* box, const global uint* coarse, int padded, int first,
                             const global int* zone_starts, const global int* zones_of, Found* found) {
   found->crowded = 0;
   for (int k = 0; k < WINDOW; ++k) found->near_count[k] = found->far_count[k] = 0;
@@ -110,7 +70,7 @@ INLINE void seek_for_window(const global DenseBox* box, const global uint* coars
 // One window of WINDOW particles in order of zones. totals: slots asked for; whether some row was too short; rows of
 // springs asked for. Where in memory a group's slots lie is decided by who comes first, and decides nothing else.
 // Partners are named by their place in the order of zones; dense_rename.
-kernel void dense_list(const global DenseBox* box, const global DensePlane* planes, const global real4* records,
+kernel void dense_list(const KNOWN DenseBox* box, const global DensePlane* planes, const global real4* records,
                        const global int* cells, const global uint* coarse, const global int* zones_of,
                        const global int* zone_starts, const global int* members, const global int* starts,
                        const global uint* partners, const global real* packed, global int4* heads, global uint* list,
@@ -142,4 +102,11 @@ kernel void dense_list(const global DenseBox* box, const global DensePlane* plan
       if (HISTORY && row < count) carry_lane(former, latter, head, lane, first + row, row, &found);
     }
   }
+}
+
+// From the order of zones, in which the list was found, to where particles are now.
+kernel void dense_rename(const global int4* heads, const global int* places, global uint* list) {
+  const int4 head = heads[get_global_id(0)];
+  global uint* row = list + (size_t)head.x * GROUP;
+  for (int k = 0; k < head.y * GROUP; ++k) row[k] = (uint)places[row[k]] * UNITS_A_RECORD;
 }

@@ -9,7 +9,7 @@ INLINE const global phase* built_row(const global phase* rows, int i) {
 
 // A phase that has wrapped since `then` has entered the next cell, or the one before.
 INLINE int cell_after(int cell, phase now, phase then, int cells, int periodic) {
-  const phase moved = now - then;
+  const phase moved = (phase)((bare_phase)now - (bare_phase)then);
   int next = cell;
   if (moved >= 0 && (bare_phase)now < (bare_phase)then) ++next;
   if (moved < 0 && (bare_phase)now > (bare_phase)then) --next;
@@ -25,7 +25,7 @@ INLINE uint coarse_along(int cell, phase p, double coarse) {
 
 INLINE int3 cells_in(int packed) { return (int3)(packed & 1023, packed >> 10 & 1023, packed >> 20 & 1023); }
 
-INLINE int dense_zone(const global DenseBox* box, uint x, uint y, uint z) {
+INLINE int dense_zone(const KNOWN DenseBox* box, uint x, uint y, uint z) {
   const int4 n = box->zones;
   return ((int)mul_hi(z, (uint)n.z) * n.y + (int)mul_hi(y, (uint)n.y)) * n.x + (int)mul_hi(x, (uint)n.x);
 }
@@ -35,7 +35,7 @@ kernel void dense_zone_clear(global int* zone_counts, const int zones) {
   if (i < zones) zone_counts[i] = 0;
 }
 
-kernel void dense_zone_count(const global DenseBox* box, const global real4* records, const global phase* built_at,
+kernel void dense_zone_count(const KNOWN DenseBox* box, const global real4* records, const global phase* built_at,
                              global int* cells, global int* zone_counts, global int* zone_of_particle) {
   const int i = get_global_id(0);
   if (i >= box->counts.x) return;
@@ -71,7 +71,7 @@ kernel void dense_zone_order(const global int* zone_starts, global int* members,
 }
 
 // What a search looks at, in order of zones. coarse: four rows of all particles: where each is, and its radius.
-kernel void dense_coarse(const global DenseBox* box, const global int* members, const global int* zone_of_particle,
+kernel void dense_coarse(const KNOWN DenseBox* box, const global int* members, const global int* zone_of_particle,
                          const global real4* records, const global int* cells, global int* zones_of,
                          global uint* coarse, const int padded) {
   const int i = get_global_id(0), old = members[i];
@@ -116,11 +116,4 @@ kernel void dense_settle(const global real4* records, const global real* new_kep
   then[0] = p.x;
   then[GROUP] = p.y;
   then[2 * GROUP] = p.z;
-}
-
-// From the order of zones, in which the list was found, to where particles are now.
-kernel void dense_rename(const global int4* heads, const global int* places, global uint* list) {
-  const int4 head = heads[get_global_id(0)];
-  global uint* row = list + (size_t)head.x * GROUP;
-  for (int k = 0; k < head.y * GROUP; ++k) row[k] = (uint)places[row[k]] * UNITS_A_RECORD;
 }

@@ -11,7 +11,7 @@ typedef struct {
 // Who is at the other end of the spring in a slot, if it is other than zero and this particle's to keep; else 0, which
 // is no partner: nobody stands before the first.
 INLINE uint partner_to_pack(Strained s, int k, int self, int lane, int* walls) {
-  const int slot = s.head.x + k, mark = s.marks[slot];
+  const int slot = s.head.x + k, mark = s.marks[mark_at(slot, lane)];
   uint partner = WALL_PARTNER;
   if (k < s.head.w) {
     partner |= (uint)lowest_bit((uint)*walls);
@@ -34,7 +34,7 @@ INLINE void pack_lane(Strained s, int self, int lane, int at, global uint* partn
   for (int k = 0; k < s.head.y; ++k) {
     const uint partner = partner_to_pack(s, k, self, lane, &walls);
     if (partner == 0) continue;
-    const real4 spring = spring_in(s.springs, s.marks[s.head.x + k], lane);
+    const real4 spring = spring_in(s.springs, s.marks[mark_at(s.head.x + k, lane)], lane);
     partners[at] = partner;
     packed[3 * at] = spring.x;
     packed[3 * at + 1] = spring.y;
@@ -47,14 +47,14 @@ INLINE void pack_lane(Strained s, int self, int lane, int at, global uint* partn
 kernel void dense_pack(const global int4* heads, const global uint* list, const global real* springs,
                        const global int* marks, global int* starts, global uint* partners, global real* packed,
                        global int* totals, const int room) {
-  const int group = get_global_id(0), first = group * GROUP;
-  const Strained s = {list, springs, marks, heads[group]};
-  int counts[GROUP], all = 0;
-  for (int lane = 0; lane < GROUP; ++lane) all += counts[lane] = springs_to_pack(s, first + lane, lane);
+  const int first = get_global_id(0) * LANES, lane = first % GROUP;
+  const Strained s = {list, springs, marks, heads[first / GROUP]};
+  int counts[LANES], all = 0;
+  for (int k = 0; k < LANES; ++k) all += counts[k] = springs_to_pack(s, first + k, lane + k);
   int at = all > 0 ? atomic_add(totals + SPRINGS_PACKED, all) : 0;
   const bool fits = at + all <= room;
-  for (int lane = 0; lane < GROUP; at += counts[lane++]) {
-    starts[first + lane] = counts[lane] > 0 ? at : -1;
-    if (fits && counts[lane] > 0) pack_lane(s, first + lane, lane, at, partners, packed);
+  for (int k = 0; k < LANES; at += counts[k++]) {
+    starts[first + k] = counts[k] > 0 ? at : -1;
+    if (fits && counts[k] > 0) pack_lane(s, first + k, lane + k, at, partners, packed);
   }
 }

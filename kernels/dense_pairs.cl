@@ -3,7 +3,7 @@
 // All that a step reads and writes. Particles stand in groups of GROUP; a group's list has a row for every slot, with
 // an entry for each of its particles. Slots of walls come first, then pairs, the near ones first.
 typedef struct {
-  const global DenseBox* box;
+  const KNOWN DenseBox* box;
   const global PairLaw* laws;
   const global DensePlane* planes;
   const global real4* records;   // QUARTERS each: phase and radius; velocity and 1/mass; angular velocity
@@ -21,7 +21,7 @@ typedef struct {
 } Dense;
 
 #define DENSE_PARAMETERS                                                                                 \
-  const global DenseBox *box, const global PairLaw *laws, const global DensePlane *planes,               \
+  const KNOWN DenseBox *box, const global PairLaw *laws, const global DensePlane *planes,               \
       const global real4 *records, global real *kept, const global phase *built_at,                      \
       const global int *cells, const global int4 *heads, const global uint *list, const global real *springs, \
       global real *new_springs, const global int *marks, global int *new_marks
@@ -69,24 +69,24 @@ INLINE Vectors sweeps_of(Vectors a, reals arm, Vectors b, reals other_arm) {
   return plus_scaled(scaled(a, arm), scaled(b, other_arm), (reals)(1));
 }
 
-// The springs of a slot in which somebody touches, before and after.
-INLINE Vectors springs_before(Dense d, int mark, int lane) {
+// The springs of a slot in which somebody touches, before and after. place: of its mark.
+INLINE Vectors springs_before(Dense d, int mark) {
   if (!HISTORY || !is_strained(mark)) return vectors(0, 0, 0);
-  const global real* row = d.springs + row_of(mark) + lane;
+  const global real* row = d.springs + row_of(mark);
   return vectors(load_reals(row), load_reals(row + GROUP), load_reals(row + 2 * GROUP));
 }
 
-INLINE void keep_springs(Dense d, int slot, int mark, int lane, Vectors springs) {
+INLINE void keep_springs(Dense d, size_t place, int mark, Vectors springs) {
   if (!HISTORY || !d.keeps || !has_row(mark)) return;
-  global real* row = d.new_springs + row_of(mark) + lane;
+  global real* row = d.new_springs + row_of(mark);
   store_reals(row, springs.x);
   store_reals(row + GROUP, springs.y);
   store_reals(row + 2 * GROUP, springs.z);
-  d.new_marks[slot] = mark | 1;
+  d.new_marks[place] = mark | 1;
 }
 
-INLINE void release_springs(Dense d, int slot, int mark) {
-  if (HISTORY && d.keeps && is_strained(mark)) d.new_marks[slot] = mark & ~1;
+INLINE void release_springs(Dense d, size_t place, int mark) {
+  if (HISTORY && d.keeps && is_strained(mark)) d.new_marks[place] = mark & ~1;
 }
 
 #define OVERLAPS_TOO_MUCH 1
@@ -94,10 +94,10 @@ INLINE void release_springs(Dense d, int slot, int mark) {
 
 // Rows are given before anybody touches: no two bodies come closer by `approach` in a step, dense_step.cl. Where none
 // is left, the next list has more.
-INLINE int give_row(Dense d, int slot, int* mark) {
+INLINE int give_row(Dense d, size_t place, int* mark) {
   const int row = atomic_inc(d.taken);
   if (row >= d.taken[1]) return ROWS_ARE_SHORT;
-  *mark = d.new_marks[slot] = mark_of_row(row);
+  *mark = d.new_marks[place] = mark_of_row(row);
   return 0;
 }
 
@@ -112,18 +112,19 @@ INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, real
   const lengths sum = VARIED ? length_in(sum_phase, d.box->quantum.w) : (lengths)(d.box->alike.x);
   const reals sigma = rounded(sum);
   const flags other = different(load_entries(entry), b.index * UNITS_A_RECORD);
-  int mark = HISTORY ? d.marks[slot] : 0;
+  const size_t place = mark_at(slot, b.lane);
+  int mark = HISTORY ? d.marks[place] : 0;
   Meeting m;
   m.touching = (square < sigma * sigma * d.box->limits.z) & other;
   const bool looks_ahead = HISTORY && d.keeps && !has_row(mark);
   const reals wide = sigma + (looks_ahead ? (real)d.box->near.w : (real)0);
   if (!any_of(looks_ahead ? (square < wide * wide) & other : m.touching)) {
-    release_springs(d, slot, mark);
+    release_springs(d, place, mark);
     return 0;
   }
   int heard = 0;
   if (looks_ahead) {
-    heard = give_row(d, slot, &mark);
+    heard = give_row(d, place, &mark);
     if (!any_of(m.touching)) return heard;
   }
   const Quarter motion = fetch(d.records, entry, 1);
@@ -141,9 +142,9 @@ INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, real
   m.sweep = b.spin;
   if (ROTATION)
     m.sweep = sweeps_of(b.spin, m.arm, xyz_of(fetch(d.records, entry, 2)), arm_of(radius, m.overlap, law.history));
-  Vectors spring = springs_before(d, mark, b.lane);
+  Vectors spring = springs_before(d, mark);
   push(total, m, law, &spring, duration);
-  keep_springs(d, slot, mark, b.lane, spring);
+  keep_springs(d, place, mark, spring);
   const bool too_deep = any_of(m.overlap > d.box->limits.x * (radius < b.radius ? radius : b.radius));
   return heard | (too_deep ? OVERLAPS_TOO_MUCH : 0);
 }

@@ -3,7 +3,7 @@
 // The partners of a group: all of its particles at once against one candidate after the other. Those of a row of zones
 // stand next to each other, so the neighbourhood of a stretch of a row is nine stretches of particles.
 typedef struct {
-  const global DenseBox* box;
+  const KNOWN DenseBox* box;
   const global uint* coarse;  // dense_permute
   int padded;
   int first;  // of the group, in order of zones
@@ -31,8 +31,6 @@ INLINE void note(Found* found, int row, int partner, bool near) {
   found->near_count[row] = near_count + (near ? 1 : 0);
   found->far_count[row] = far_count + (near ? 0 : 1);
 }
-
-INLINE int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
 
 // Of the candidates from `first` on, those whose bits are set in a particle's masks.
 INLINE void note_all(Found* found, Seekers s, masks reached, masks close, int first) {
@@ -79,15 +77,6 @@ INLINE void seek_in_row(Seekers s, const global int* zone_starts, int row, int f
   if (!s.box->periodic.x) return;
   if (from == 0 && high < zones - 1) seek_among(s, starts[zones - 1], starts[zones], seeking, found);
   if (to == zones - 1 && low > 0) seek_among(s, starts[0], starts[1], seeking, found);
-}
-
-// The k-th (0 … 2) of the neighbours of a zone along an axis, itself among them, or −1. Fewer than three zones are
-// each looked at once.
-INLINE int row_to_visit(int zone, int k, int zones, int periodic) {
-  if (zones < 3) return k < zones ? k : -1;
-  const int z = zone + k - 1;
-  if (z >= 0 && z < zones) return z;
-  return periodic ? (z < 0 ? z + zones : z - zones) : -1;
 }
 
 INLINE void seek_around(Seekers s, const global int* zone_starts, int row, int from, int to, masks seeking, Found* found) {

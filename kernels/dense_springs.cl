@@ -1,12 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where springs lie. A slot's are a row for each axis, with a place for each particle of the group, but only slots in
-// which somebody touches, or soon may, have such rows. Of a slot there is a mark: 0 where it has none, else twice one
-// more than where they are, and one on top where a spring in them is other than zero; else they hold nothing of use.
+// Where springs lie. A span is the particles of a group that one work-item has, and their springs in a slot are a row
+// for each axis. Only those spans have rows in which somebody touches, or soon may. Of a span in a slot there is a mark:
+// 0 where it has none, else twice one more than where they are, and one on top where a spring in them is other than
+// zero; else they hold nothing of use. Rows of as many spans as a group has stand side by side.
+#define SPANS (GROUP / LANES)
+INLINE size_t mark_at(int slot, int lane) { return (size_t)slot * SPANS + lane / LANES; }
 INLINE bool has_row(int mark) { return mark != 0; }
 INLINE bool is_strained(int mark) { return (mark & 1) != 0; }
 INLINE int mark_of_row(int row) { return 2 * (row + 1); }
-INLINE size_t row_of(int mark) { return (size_t)(mark / 2 - 1) * (3 * GROUP); }
+INLINE size_t row_of(int mark) {
+  const int row = mark / 2 - 1;
+  return (size_t)(row / SPANS) * (3 * GROUP) + row % SPANS * LANES;
+}
 
 // In `signals`, behind the two sets of them.
 #define ROWS_TAKEN 8
@@ -29,9 +35,11 @@ typedef struct {
 } Former;
 
 INLINE real4 spring_in(const global real* springs, int mark, int lane) {
-  const global real* row = springs + row_of(mark) + lane;
+  const global real* row = springs + row_of(mark) + lane % LANES;
   return (real4)(row[0], row[GROUP], row[2 * GROUP], 0);
 }
+
+INLINE int lowest_bit(uint bits) { return 31 - (int)clz(bits & -bits); }
 
 INLINE bool is_zero(real4 spring) { return spring.x == 0 && spring.y == 0 && spring.z == 0; }
 
@@ -39,10 +47,11 @@ INLINE void put_spring(global real* springs, global int* mark, int lane, real4 s
   if (is_zero(spring)) return;
   global real* row = springs + row_of(*mark);
   if (!is_strained(*mark))
-    for (int k = 0; k < 3 * GROUP; ++k) row[k] = 0;
-  row[lane] = spring.x;
-  row[GROUP + lane] = spring.y;
-  row[2 * GROUP + lane] = spring.z;
+    for (int k = 0; k < 3 * LANES; ++k) row[k / LANES * GROUP + k % LANES] = 0;
+  row += lane % LANES;
+  row[0] = spring.x;
+  row[GROUP] = spring.y;
+  row[2 * GROUP] = spring.z;
   *mark |= 1;
 }
 

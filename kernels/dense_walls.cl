@@ -28,9 +28,10 @@ INLINE int meet_plane(Dense d, Push* total, Bodies b, Places p, const global Den
   Meeting m;
   m.overlap = rounded(radius - (p.x * n.x + p.y * n.y + p.z * n.z - n.w));
   m.touching = (m.overlap > 0) & b.moves;
-  const int mark = HISTORY ? d.marks[slot] : 0;
+  const size_t place = mark_at(slot, b.lane);
+  const int mark = HISTORY ? d.marks[place] : 0;
   if (!any_of(m.touching)) {
-    release_springs(d, slot, mark);
+    release_springs(d, place, mark);
     return 0;
   }
   const PairLaw law = d.laws[d.box->counts.w * d.box->counts.z + plane->wall.x];
@@ -40,9 +41,9 @@ INLINE int meet_plane(Dense d, Push* total, Bodies b, Places p, const global Den
   m.root_mass = roots_of(1 / (m.touching ? b.inverse_mass : (reals)(1)));
   m.arm = arm_of(b.radius, m.overlap, law.history);
   m.sweep = scaled(b.spin, m.arm);
-  Vectors spring = springs_before(d, mark, b.lane);
+  Vectors spring = springs_before(d, mark);
   push(total, m, law, &spring, duration);
-  keep_springs(d, slot, mark, b.lane, spring);
+  keep_springs(d, place, mark, spring);
   return any_of(m.overlap > d.box->limits.x * b.radius) ? OVERLAPS_TOO_MUCH : 0;
 }
 

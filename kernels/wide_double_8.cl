@@ -4,6 +4,7 @@
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #define LANES 8
 #define GROUP 8
+#define KNOWN global
 #define PHASE_BITS 64
 typedef double8 reals;
 typedef long8 phases;

@@ -5,6 +5,7 @@
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #define LANES 16
 #define GROUP 16
+#define KNOWN global
 #define PHASE_BITS 32
 typedef float16 reals;
 typedef int16 phases;

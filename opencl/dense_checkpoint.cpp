@@ -18,7 +18,7 @@ std::array<std::pair<const char*, cl::Buffer*>, 6> kept_buffers(DenseWorld& w, s
 }  // namespace
 
 std::string DenseRun::maker() const {
-  return "opencl:" + std::string(name_of(options_.precision)) + " dense";
+  return "opencl:" + std::string(name_of(options_.precision)) + (options_.one ? " dense by one" : " dense");
 }
 
 Checkpoint DenseRun::checkpoint() {
@@ -58,7 +58,7 @@ void DenseRun::restore(const Sections& own) {
   unpack_one(own, "rows_taken", rows_taken);
   reset_signals(rows_taken);
   counters_.steps = first_step_ + done_;
-  counters_.listed_pairs = list_.slots() * group_size(options_.precision) / 2;
+  counters_.listed_pairs = list_.slots() * group_size(options_) / 2;
   enqueued_ = done_;
   settled_ = false;
 }
@@ -76,7 +76,7 @@ void DenseList::pack_into(Sections& own, const DenseWorld& world) const {
   pack_one(own, "list.row_room", row_room_);
   pack_one(own, "list.reserve", reserve_);
   pack_buffer(own, "list.springs", workshop_, world.springs);
-  pack_buffer(own, "list.marks", workshop_, world.marks, slots * sizeof(cl_int));
+  pack_buffer(own, "list.marks", workshop_, world.marks, slots * spans_ * sizeof(cl_int));
 }
 
 // With room for no more slots than there are: the next list makes its own. Of rows as many as there were,

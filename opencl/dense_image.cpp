@@ -161,7 +161,7 @@ class DenseImager {
 
   void add_particles(DenseImage& image) const {
     const auto quarters = static_cast<std::size_t>(quarters_of(options_));
-    const auto group = static_cast<std::size_t>(group_size(options_.precision));
+    const auto group = static_cast<std::size_t>(group_size(options_));
     const auto numbers = static_cast<std::size_t>(kept_numbers(options_.precision));
     std::vector<typename P::Real4> records(image.padded * quarters, four_of<P>(Vec3::Zero()));
     std::vector<Real> kept(image.padded * numbers);
@@ -202,7 +202,7 @@ DenseBody decoded_as(const DenseRecords& read, std::size_t i, const DenseOptions
   using Phase = typename DenseImager<P>::Phase;
   using Bare = std::make_unsigned_t<Phase>;
   const auto quarters = static_cast<std::size_t>(quarters_of(options));
-  const auto group = static_cast<std::size_t>(group_size(options.precision));
+  const auto group = static_cast<std::size_t>(group_size(options));
   const auto numbers = static_cast<std::size_t>(kept_numbers(options.precision));
   const auto vector = [&](std::size_t quarter) {
     const auto v = value_at<typename P::Real4>(read.records, i * quarters + quarter);

@@ -52,7 +52,8 @@ DenseList::DenseList(Workshop& workshop, DenseWorld& world, const DenseImage& im
       options_(options),
       particles_(image.particles),
       padded_(image.padded),
-      group_(static_cast<std::size_t>(group_size(options.precision))),
+      group_(static_cast<std::size_t>(group_size(options))),
+      spans_(static_cast<std::size_t>(spans_of(options))),
       work_group_(work_group),
       totals_(workshop.room(sizeof(Totals))),
       partners_(workshop.room(64)),
@@ -76,6 +77,10 @@ void DenseList::use_grid(DenseWorld& world, const DenseGrid& grid) {
 std::size_t DenseList::bytes() const {
   return size_of(own_zone_counts_) + size_of(own_zone_starts_) + size_of(totals_) + size_of(partners_) +
          size_of(packed_) + (scan_ ? scan_->bytes() : 0);
+}
+
+std::size_t DenseList::springs_bytes() const {
+  return 3 * real_bytes(options_) * static_cast<std::size_t>(row_room_) * (group_ / spans_);
 }
 
 DenseList::Scratch DenseList::scratch_in(cl::Buffer& records) {
@@ -108,7 +113,7 @@ DenseList::Scratch DenseList::scratch_in(cl::Buffer& records) {
 // many, though never more than there are slots.
 void DenseList::build(DenseWorld& world, Program& program, int turn, std::int64_t rows_taken) {
   if (!scan_) scan_.emplace(workshop_, program, zones_ + 1, work_group_);
-  reserve_ = rows_taken >= row_room_ ? std::min(std::max(4 * reserve_, first_reserve()), slots_ - rows_)
+  reserve_ = rows_taken >= row_room_ ? std::min(std::max(4 * reserve_, first_reserve()), most_rows() - rows_)
                                      : std::max(reserve_, (rows_taken - rows_) * 9 / 8);
   const auto other = static_cast<std::size_t>(1 - turn);
   const Scratch& scratch = scratch_[other];
@@ -124,9 +129,9 @@ void DenseList::pack_springs(DenseWorld& world, Program& program, const Scratch&
   while (true) {
     Totals totals{};
     workshop_.write(totals_, std::as_bytes(std::span(totals)));
-    workshop_.launch(program, "dense_pack", {padded_ / group_, 8}, world.heads, world.list, world.springs,
-                     world.marks, scratch.starts, partners_, packed_, totals_,
-                     static_cast<cl_int>(packed_room_));
+    workshop_.launch(program, "dense_pack", {padded_ * spans_ / group_, options_.one ? work_group_ : 8},
+                     world.heads, world.list, world.springs, world.marks, scratch.starts, partners_, packed_,
+                     totals_, static_cast<cl_int>(packed_room_));
     workshop_.read(totals_, std::as_writable_bytes(std::span(totals)));
     if (totals[springs_packed] <= packed_room_) return;
     packed_room_ = with_slack(totals[springs_packed]);
@@ -151,7 +156,8 @@ void DenseList::fill_zones(DenseWorld& world, Program& program, int turn, const 
 void DenseList::build_again(DenseWorld& world, Program& program, int turn) {
   find(world, program, turn, scratch_[static_cast<std::size_t>(1 - turn)]);
   if (crowded_) return;
-  workshop_.launch(program, "dense_rename", {padded_ / group_, 8}, world.heads, places_, world.list);
+  if (!options_.one)
+    workshop_.launch(program, "dense_rename", {padded_ / group_, 8}, world.heads, places_, world.list);
   settle(world, program, turn);
 }
 
@@ -170,16 +176,36 @@ void DenseList::settle(DenseWorld& world, Program& program, int turn) {
   std::swap(scratch_[0], scratch_[1]);
 }
 
+// The zones of particles in the order of before have been read by then: there is room for counts.
+void DenseList::count(DenseWorld& world, Program& program, const Scratch& scratch) {
+  workshop_.launch(program, "dense_count", {padded_, window_size}, world.box, scratch.coarse,
+                   scratch.zones_of, scratch.zone_starts, scratch.zone_of_particle, order_, places_,
+                   static_cast<cl_int>(padded_));
+}
+
+void DenseList::write_down(DenseWorld& world, Program& program, int turn, const Scratch& scratch) {
+  const auto padded = static_cast<cl_int>(padded_), room = static_cast<cl_int>(room_),
+             row_room = static_cast<cl_int>(row_room_);
+  const auto& records = world.records[static_cast<std::size_t>(turn)];
+  if (options_.one)
+    workshop_.launch(program, "dense_list", {padded_, window_size}, world.box, world.planes, records,
+                     world.cells, scratch.coarse, scratch.zones_of, scratch.zone_starts, members_,
+                     scratch.starts, partners_, packed_, world.heads, world.list, world.springs, world.marks,
+                     order_, places_, scratch.zone_of_particle, totals_, padded, room, row_room);
+  else
+    workshop_.launch(program, "dense_list", {padded_ / window_size, 1}, world.box, world.planes, records,
+                     world.cells, scratch.coarse, scratch.zones_of, scratch.zone_starts, members_,
+                     scratch.starts, partners_, packed_, world.heads, world.list, world.springs, world.marks,
+                     order_, places_, totals_, padded, room, row_room);
+}
+
 void DenseList::find(DenseWorld& world, Program& program, int turn, const Scratch& scratch) {
   if (options_.history && rows_ + reserve_ > row_room_) make_row_room(world);
+  if (options_.one) count(world, program, scratch);
   while (true) {
     Totals totals{};
     workshop_.write(totals_, std::as_bytes(std::span(totals)));
-    workshop_.launch(program, "dense_list", {padded_ / window_size, 1}, world.box, world.planes,
-                     world.records[turn], world.cells, scratch.coarse, scratch.zones_of, scratch.zone_starts,
-                     members_, scratch.starts, partners_, packed_, world.heads, world.list, world.springs,
-                     world.marks, order_, places_, totals_, static_cast<cl_int>(padded_),
-                     static_cast<cl_int>(room_), static_cast<cl_int>(row_room_));
+    write_down(world, program, turn, scratch);
     workshop_.read(totals_, std::as_writable_bytes(std::span(totals)));
     slots_ = totals[slots_wanted];
     rows_ = totals[rows_wanted];
@@ -197,14 +223,15 @@ void DenseList::make_room(DenseWorld& world) {
   room_ = with_slack(slots_);
   world.list = world.marks = {};
   world.list = workshop_.room(sizeof(cl_uint) * static_cast<std::size_t>(room_) * group_);
-  world.marks = workshop_.room(sizeof(cl_int) * static_cast<std::size_t>(room_));
+  world.marks = workshop_.room(sizeof(cl_int) * static_cast<std::size_t>(room_) * spans_);
 }
 
 void DenseList::make_row_room(DenseWorld& world) {
   reserve_ = std::max(reserve_, first_reserve());
-  row_room_ = with_slack(rows_ + reserve_);
+  const auto wanted = static_cast<std::size_t>(with_slack(rows_ + reserve_));
+  row_room_ = static_cast<std::int64_t>(padded_to(wanted, spans_));
   world.springs = {};
-  world.springs = workshop_.room(3 * real_bytes(options_) * static_cast<std::size_t>(row_room_) * group_);
+  world.springs = workshop_.room(springs_bytes());
 }
 
 }  // namespace grainproof::opencl

@@ -42,9 +42,10 @@ class DenseList {
   void use_grid(DenseWorld& world, const DenseGrid& grid);
 
   std::int64_t slots() const { return slots_; }
-  /// Of springs: in use when the list was made, and all there are.
+  /// Of springs, one for a span: in use when the list was made, and all there are.
   std::int64_t rows() const { return rows_; }
   std::int64_t row_room() const { return row_room_; }
+  std::size_t springs_bytes() const;
   std::size_t bytes() const;
 
   /// dense_checkpoint.cpp
@@ -64,12 +65,15 @@ class DenseList {
   void fill_zones(DenseWorld& world, Program& program, int turn, const Scratch& scratch);
   void make_room(DenseWorld& world);
   void make_row_room(DenseWorld& world);
-  std::int64_t first_reserve() const { return (slots_ - rows_) / 12 + 16; }
+  std::int64_t most_rows() const { return slots_ * static_cast<std::int64_t>(spans_); }
+  std::int64_t first_reserve() const { return (most_rows() - rows_) / 12 + 16; }
+  void count(DenseWorld& world, Program& program, const Scratch& scratch);
+  void write_down(DenseWorld& world, Program& program, int turn, const Scratch& scratch);
   void settle(DenseWorld& world, Program& program, int turn);
 
   Workshop& workshop_;
   const DenseOptions& options_;
-  std::size_t particles_, padded_, zones_ = 0, group_, work_group_;
+  std::size_t particles_, padded_, zones_ = 0, group_, spans_, work_group_;
   std::optional<Scan> scan_;
   cl::Buffer own_zone_counts_, own_zone_starts_;  ///< where the records have no room for them
   std::array<Scratch, 2> scratch_;                ///< in the same order as the records

@@ -84,12 +84,13 @@ Support dense_support(const Scene& scene, const Request& request, double skin) {
   return box_supported(scene, skin);
 }
 
-DenseOptions dense_options(const Scene& scene, Precision precision) {
+DenseOptions dense_options(const Scene& scene, Precision precision, bool one) {
   const Particle& any = scene.particles.front();
   const auto material = static_cast<std::size_t>(any.material);
   const auto pair = coefficients_of(scene, material, material);
   DenseOptions o;
   o.precision = precision;
+  o.one = one;
   o.rotation = scene.rotation;
   o.canonical = scene.run.order == SumOrder::canonical;
   const NearWalls near = near_walls(scene);
@@ -113,12 +114,21 @@ DenseOptions dense_options(const Scene& scene, Precision precision) {
 std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
   const bool twice = o.precision == Precision::double_precision;
   std::vector<std::string> files = number_files(o.precision, pocl);
-  for (const char* file :
-       {"scan.cl", "sorting.cl", twice ? "wide_double_8.cl" : "wide_single_16.cl", "dense_box.cl",
-        o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl", "dense_contact.cl", "dense_springs.cl",
-        "dense_pairs.cl", "dense_walls.cl", "dense_step.cl", "dense_order.cl", "dense_seek.cl",
-        "dense_pack.cl", "dense_list.cl"})
-    files.emplace_back(file);
+  const auto add = [&](std::initializer_list<const char*> more) {
+    files.insert(files.end(), more.begin(), more.end());
+  };
+  add({"scan.cl", "sorting.cl"});
+  if (o.one)
+    add({twice ? "wide_double_1.cl" : "wide_single_1.cl", "wide_1.cl"});
+  else
+    add({twice ? "wide_double_8.cl" : "wide_single_16.cl"});
+  add({"dense_box.cl", o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl", "dense_contact.cl",
+       "dense_springs.cl", "dense_pairs.cl", "dense_walls.cl", "dense_step.cl", "dense_order.cl",
+       "dense_near.cl", "dense_pack.cl"});
+  if (o.one)
+    add({"dense_list_each.cl"});
+  else
+    add({"dense_seek.cl", "dense_list.cl"});
   return files;
 }
 

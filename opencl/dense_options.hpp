@@ -23,19 +23,31 @@ struct DenseOptions {
   bool planes = false;
   bool varied = false;     ///< particles differ in size, or some are fixed
   bool canonical = false;  ///< sums do not depend on the order of contacts
+  bool one = false;        ///< particle a work-item: kernels/wide_*_1.cl
   int most_partners = 64;
 
   bool operator==(const DenseOptions&) const = default;
 };
 
-DenseOptions dense_options(const Scene& scene, Precision precision);
+DenseOptions dense_options(const Scene& scene, Precision precision, bool one = false);
 
 std::vector<std::string> dense_kernel_files(const DenseOptions& options, bool pocl);
 std::string dense_definitions(const DenseOptions& options);
 
-/// Particles that stand together in a group, and whose entries fill a slot of its list.
-constexpr int group_size(Precision precision) {
-  return precision == Precision::double_precision ? 8 : 16;
+/// Particles of a work-item: LANES of kernels/wide_*.cl.
+constexpr int lanes_of(const DenseOptions& options) {
+  if (options.one) return 1;
+  return options.precision == Precision::double_precision ? 8 : 16;
+}
+
+/// Particles that stand together in a group, and whose entries fill a slot of its list: GROUP there.
+constexpr int group_size(const DenseOptions& options) {
+  return options.one ? 32 : lanes_of(options);
+}
+
+/// Work-items that share a group, each with marks of its own: kernels/dense_springs.cl.
+constexpr int spans_of(const DenseOptions& options) {
+  return group_size(options) / lanes_of(options);
 }
 
 /// Particles in order of zones that are searched for, and then put in order of their counts, together.

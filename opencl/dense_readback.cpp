@@ -127,8 +127,9 @@ std::vector<ContactMemory> DenseRun::memories() {
   if (!options_.history || list_.slots() == 0) return {};
   const auto slots = static_cast<std::size_t>(list_.slots());
   const std::size_t real = options_.precision == Precision::double_precision ? 8 : 4;
-  std::vector<cl_int> marks(slots);
-  Bytes springs(3 * static_cast<std::size_t>(list_.row_room()) * group() * real);
+  const auto lanes = static_cast<std::size_t>(lanes_of(options_)), spans = group() / lanes;
+  std::vector<cl_int> marks(slots * spans);
+  Bytes springs(list_.springs_bytes());
   const cl::Buffer on_device = workshop_->room(springs.size()), marked = workshop_->upload(bytes_of(marks));
   report(on_device, marked, true);
   workshop_->read(on_device, springs);
@@ -142,12 +143,13 @@ std::vector<ContactMemory> DenseRun::memories() {
       if (lists.heads[g].s[2] >> k & 1) walls.push_back(near.planes[k].index);
     for (std::size_t k = 0; k < static_cast<std::size_t>(lists.heads[g].s[1]); ++k) {
       const std::size_t slot = static_cast<std::size_t>(lists.heads[g].s[0]) + k;
-      if ((marks[slot] & 1) == 0) continue;
-      const std::size_t row = 3 * (static_cast<std::size_t>(marks[slot]) / 2 - 1);
       for (std::size_t lane = 0; lane < group(); ++lane) {
+        const cl_int mark = marks[slot * spans + lane / lanes];
+        if ((mark & 1) == 0) continue;
+        const std::size_t row = static_cast<std::size_t>(mark) / 2 - 1;
         Vec3 v;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          const std::size_t at = (row + axis) * group() + lane;
+          const std::size_t at = (3 * (row / spans) + axis) * group() + row % spans * lanes + lane % lanes;
           v[static_cast<Eigen::Index>(axis)] =
               real == 8 ? value_at<cl_double>(springs, at) : value_at<cl_float>(springs, at);
         }

@@ -14,8 +14,11 @@ namespace {
 
 constexpr std::int64_t longest_batch = 1024;
 constexpr std::int64_t shortest_batch = 4;
-/// Groups a work-item, in work-groups of this many items.
-constexpr std::size_t items_a_group = 8;
+/// Work-items in a work-group: few of those that take many particles, and of those that take one as many as
+/// keep a multiprocessor busy without asking for a large share of its registers.
+Range items_for(std::size_t particles, const DenseOptions& options) {
+  return {particles / static_cast<std::size_t>(lanes_of(options)), options.one ? 128u : 8u};
+}
 
 cl_int earliest(const DenseSignals& signals, Signal signal) {
   return std::min(signals.of[0][signal], signals.of[1][signal]);
@@ -33,7 +36,7 @@ DenseWorld make_dense_world(Workshop& workshop, const DenseImage& image, const D
   std::vector<cl_int> ids(image.padded);
   for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<cl_int>(i);
   w.ids = workshop.upload(bytes_of(ids));
-  const auto groups = image.padded / static_cast<std::size_t>(group_size(options.precision));
+  const auto groups = image.padded / static_cast<std::size_t>(group_size(options));
   w.heads = workshop.upload(Bytes(sizeof(cl_int4) * groups));
   for (cl::Buffer* empty : {&w.list, &w.springs, &w.marks}) *empty = workshop.room(64);
   return w;
@@ -41,15 +44,15 @@ DenseWorld make_dense_world(Workshop& workshop, const DenseImage& image, const D
 
 }  // namespace
 
-DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Precision precision, double skin,
-                   bool searches)
+DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const DenseOptions& options,
+                   double skin, bool searches)
     : workshop_(std::move(workshop)),
       scene_(scene),
-      options_(dense_options(scene, precision)),
+      options_(options),
       grid_(scene, skin),
       image_(make_dense_image(scene, options_, grid_, window_size)),
       program_(&workshop_->program(options_)),
-      items_{image_.padded / static_cast<std::size_t>(group_size(precision)), items_a_group},
+      items_(items_for(image_.padded, options)),
       world_(make_dense_world(*workshop_, image_, options_)),
       list_(*workshop_, world_, image_, options_, grid_, 64),
       signals_(workshop_->room(sizeof(DenseSignals))) {
@@ -121,15 +124,15 @@ void DenseRun::build_list(std::int64_t at, std::int64_t rows_taken) {
     list_.build_again(world_, *program_, static_cast<int>(at & 1));
   }
   ++counters_.list_rebuilds;
-  counters_.listed_pairs = list_.slots() * group_size(options_.precision) / 2;
+  counters_.listed_pairs = list_.slots() * group_size(options_) / 2;
   counters_.skin = grid_.skin;
   built_at_ = at;
   reset_signals(list_.rows());
 }
 
 bool DenseRun::learn(std::int64_t age) {
-  const double entries = static_cast<double>(list_.slots() * group_size(options_.precision)) /
-                         static_cast<double>(image_.particles);
+  const double entries =
+      static_cast<double>(list_.slots() * group_size(options_)) / static_cast<double>(image_.particles);
   if (!search_ || !search_->learn(entries, age)) return false;
   lifetime_ =
       std::max<std::int64_t>(std::llround(static_cast<double>(lifetime_) * search_->skin() / grid_.skin), 1);

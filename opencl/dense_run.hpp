@@ -33,7 +33,7 @@ struct DenseLists {
 class DenseRun : public RestorableRun {
  public:
   /// `searches`: the skin is but the first, for others to be tried.
-  DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, Precision precision, double skin,
+  DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const DenseOptions& options, double skin,
            bool searches);
 
   void advance(std::int64_t steps) override;
@@ -72,7 +72,7 @@ class DenseRun : public RestorableRun {
   std::vector<DenseBody> bodies(const cl::Buffer& records);
   DenseLists read_lists();
   std::vector<ContactMemory> memories();
-  std::size_t group() const { return static_cast<std::size_t>(group_size(options_.precision)); }
+  std::size_t group() const { return static_cast<std::size_t>(group_size(options_)); }
   [[noreturn]] void tell_what_went_wrong(cl_int step, bool escaped);
 
   std::shared_ptr<Workshop> workshop_;

@@ -9,6 +9,7 @@
 
 #include "model/checkpoint.hpp"
 #include "opencl/precision.hpp"
+#include "opencl/width.hpp"
 
 namespace grainproof::opencl {
 
@@ -24,6 +25,7 @@ struct EngineOptions {
   std::string device;  ///< index or part of a name of list_devices(); empty: first GPU, else first CPU
   std::filesystem::path kernels;  ///< folder of the .cl files
   Path path = Path::automatic;
+  Width width = Width::automatic;  ///< of the dense path
   Stages stages = Stages::lean;
   int work_group = 64;         ///< work-items a group, a power of two
   std::optional<double> skin;  ///< m; overrides the scene's

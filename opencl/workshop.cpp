@@ -25,6 +25,7 @@ Workshop::Workshop(const std::string& device_choice, std::filesystem::path kerne
     name_ = device_.getInfo<CL_DEVICE_NAME>();
     version_ = device_.getInfo<CL_DEVICE_VERSION>() + ", driver " + device_.getInfo<CL_DRIVER_VERSION>();
     has_double_ = has_double(device_);
+    gpu_ = (device_.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0;
     pocl_ = device_.getInfo<CL_DEVICE_VERSION>().find("PoCL") != std::string::npos ||
             device_.getInfo<CL_DEVICE_VERSION>().find("pocl") != std::string::npos;
     correctly_rounded_ =

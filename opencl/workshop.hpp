@@ -44,6 +44,7 @@ class Workshop {
   const std::string& device_name() const { return name_; }
   const std::string& version() const { return version_; }
   bool has_double_precision() const { return has_double_; }
+  bool is_gpu() const { return gpu_; }
   std::size_t largest_group() const { return largest_group_; }
   std::size_t largest_buffer() const { return largest_buffer_; }
 
@@ -88,6 +89,7 @@ class Workshop {
   std::string version_;
   bool has_double_ = false;
   bool pocl_ = false;
+  bool gpu_ = false;
   bool correctly_rounded_ = false;
   std::size_t largest_group_ = 1;
   std::size_t largest_buffer_ = 0;

@@ -38,6 +38,13 @@ json ledgers_json(const Observations& seen) {
           {"drift", seen.final_ledger->balance() - seen.initial_ledger->balance()}};
 }
 
+json energies_json(const std::optional<Energies>& energies) {
+  if (!energies) return nullptr;
+  return {{"kinetic", energies->kinetic},
+          {"elastic", energies->elastic},
+          {"gravitational", energies->gravitational ? json(*energies->gravitational) : json(nullptr)}};
+}
+
 json outcome_json(const Outcome& outcome) {
   if (outcome.status == Outcome::Status::completed) return {{"status", "completed"}};
   return {{"status", "went_wrong"},
@@ -56,8 +63,14 @@ std::string contacts_text(const RunSummary& summary) {
          " with walls, in the last frame";
 }
 
-void energy_lines(const Observations& seen, std::ostringstream& text) {
-  if (!seen.initial_ledger || !seen.final_ledger) return;
+void energy_lines(const RunSummary& summary, const Observations& seen, std::ostringstream& text) {
+  if (!seen.initial_ledger || !seen.final_ledger) {
+    if (const auto& last = summary.last_energies)
+      text << "  energy         kinetic " << brief(last->kinetic) << " J, elastic " << brief(last->elastic)
+           << " J, in the last frame\n";
+    if (!summary.no_ledger_because.empty()) text << "  ledger         " << summary.no_ledger_because << "\n";
+    return;
+  }
   const Ledger& last = *seen.final_ledger;
   text << "  energy         kinetic " << brief(last.kinetic) << " J, elastic " << brief(last.elastic)
        << " J, dissipated "
@@ -94,28 +107,31 @@ json provenance_json(const Provenance& provenance) {
 }
 
 json summary_json(const RunSummary& summary, const Observations& seen, const Machine& machine) {
-  return {{"schema", 1},
-          {"scene", summary.scene},
-          {"outcome", outcome_json(seen.outcome)},
-          {"particles", summary.particles},
-          {"step", summary.step},
-          {"step_because", summary.step_because.empty() ? json(nullptr) : json(summary.step_because)},
-          {"steps", seen.counters.steps},
-          {"first_step", summary.first_step},
-          {"digest", summary.digest ? json(digest_text(*summary.digest)) : json(nullptr)},
-          {"frames", summary.frames},
-          {"wall_s", seen.wall_s},
-          {"step_loop_wall_s", seen.counters.step_loop_wall_s},
-          {"cundall_number", cundall_number(summary, seen)},
-          {"ledger", ledgers_json(seen)},
-          {"rebuilds", seen.counters.list_rebuilds},
-          {"listed_pairs", seen.counters.listed_pairs},
-          {"contacts", summary.contacts.pairs},
-          {"wall_contacts", summary.contacts.walls},
-          {"scalars", seen.scalars},
-          {"peak_memory_bytes", summary.peak_memory},
-          {"provenance", provenance_json(seen.provenance)},
-          {"machine", machine_json(machine)}};
+  return {
+      {"schema", 1},
+      {"scene", summary.scene},
+      {"outcome", outcome_json(seen.outcome)},
+      {"particles", summary.particles},
+      {"step", summary.step},
+      {"step_because", summary.step_because.empty() ? json(nullptr) : json(summary.step_because)},
+      {"steps", seen.counters.steps},
+      {"first_step", summary.first_step},
+      {"digest", summary.digest ? json(digest_text(*summary.digest)) : json(nullptr)},
+      {"frames", summary.frames},
+      {"wall_s", seen.wall_s},
+      {"step_loop_wall_s", seen.counters.step_loop_wall_s},
+      {"cundall_number", cundall_number(summary, seen)},
+      {"energies",
+       {{"initial", energies_json(summary.first_energies)}, {"final", energies_json(summary.last_energies)}}},
+      {"ledger", ledgers_json(seen)},
+      {"rebuilds", seen.counters.list_rebuilds},
+      {"listed_pairs", seen.counters.listed_pairs},
+      {"contacts", summary.contacts.pairs},
+      {"wall_contacts", summary.contacts.walls},
+      {"scalars", seen.scalars},
+      {"peak_memory_bytes", summary.peak_memory},
+      {"provenance", provenance_json(seen.provenance)},
+      {"machine", machine_json(machine)}};
 }
 
 std::string summary_text(const RunSummary& summary, const Observations& seen, const Paint& paint) {
@@ -133,7 +149,7 @@ std::string summary_text(const RunSummary& summary, const Observations& seen, co
        << "  list rebuilds  " << grouped(seen.counters.list_rebuilds) << "\n";
   if (summary.digest) text << "  digest         " << digest_text(*summary.digest) << "\n";
   for (const auto& [name, value] : seen.scalars) text << "  " << name << "  " << exact(value) << "\n";
-  energy_lines(seen, text);
+  energy_lines(summary, seen, text);
   text << "  peak memory    " << brief(static_cast<double>(summary.peak_memory) / 1048576.0) << " MiB\n";
   return text.str();
 }

@@ -8,7 +8,7 @@
 
 #include "model/observations.hpp"
 #include "model/scene.hpp"
-#include "report/contacts.hpp"
+#include "report/energies.hpp"
 #include "report/machine.hpp"
 #include "report/text_table.hpp"
 
@@ -24,7 +24,9 @@ struct RunSummary {
   std::int64_t first_step = 0;               ///< not 0 where a run went on from a checkpoint
   std::optional<std::uint64_t> digest = {};  ///< of the last state; none where an engine does not step
   ContactCount contacts;
-  std::int64_t peak_memory = 0;  ///< bytes
+  std::optional<Energies> first_energies = {}, last_energies = {};  ///< of the first and the last frame
+  std::string no_ledger_because = {};  ///< and how to have one; empty where there is one or it is not wanted
+  std::int64_t peak_memory = 0;        ///< bytes
 };
 
 /// Sixteen hexadecimal digits.

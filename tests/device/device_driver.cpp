@@ -15,7 +15,8 @@ namespace {
 
 EngineOptions options_from(const std::string& precision, const std::string& path, bool full) {
   EngineOptions options = options_for(precision_named(precision).value());
-  options.path = path == "small" ? Path::small : path == "dense" ? Path::dense : Path::zoned;
+  options.path = path == "small" ? Path::small : path.starts_with("dense") ? Path::dense : Path::zoned;
+  options.width = path == "dense_by_one" ? Width::one : Width::automatic;
   options.stages = full ? Stages::full : Stages::lean;
   options.work_group = 32;
   return options;

@@ -94,10 +94,14 @@ constexpr double single_bar = 1e-5;
 // Both paths round by some 1e-16 then, with overlaps of 1e-3 of the distances they come from.
 constexpr double double_bar = 1e-11;
 
-class Dense : public ::testing::TestWithParam<std::tuple<Named, Precision>> {
+class Dense : public ::testing::TestWithParam<std::tuple<Named, Precision, Width>> {
  protected:
   Scene scene() const { return scene_of(std::get<0>(GetParam())); }
-  EngineOptions dense() const { return on(Path::dense, std::get<1>(GetParam())); }
+  EngineOptions dense() const {
+    EngineOptions options = on(Path::dense, std::get<1>(GetParam()));
+    options.width = std::get<2>(GetParam());
+    return options;
+  }
   double bar() const {
     return std::get<1>(GetParam()) == Precision::single_precision ? single_bar : double_bar;
   }
@@ -113,8 +117,9 @@ void Dense::expect_agreement(SumOrder order) const {
   EXPECT_LT(e.springs, 10 * bar());
 }
 
-std::string name_of_crowd(const ::testing::TestParamInfo<std::tuple<Named, Precision>>& param) {
-  return std::string(std::get<0>(param.param).name) + '_' + std::string(name_of(std::get<1>(param.param)));
+std::string name_of_crowd(const ::testing::TestParamInfo<std::tuple<Named, Precision, Width>>& param) {
+  return std::string(std::get<0>(param.param).name) + '_' + std::string(name_of(std::get<1>(param.param))) +
+         (std::get<2>(param.param) == Width::one ? "_by_one" : "");
 }
 
 TEST_P(Dense, AgreesWithTheZonedPathInDouble) {
@@ -139,7 +144,8 @@ TEST_P(Dense, FirstFrameIsTheSceneItself) {
 INSTANTIATE_TEST_SUITE_P(Crowds, Dense,
                          ::testing::Combine(::testing::ValuesIn(crowds),
                                             ::testing::Values(Precision::single_precision,
-                                                              Precision::double_precision)),
+                                                              Precision::double_precision),
+                                            ::testing::Values(Width::many, Width::one)),
                          name_of_crowd);
 
 TEST(DenseRun, IsTakenByItselfWhereItCan) {
@@ -226,7 +232,7 @@ const Mistake mistakes[] = {
      "scaled(outer(m.normal, rubbing), m.arm)"},
     {"sweep_forgets_the_partner", "dense_pairs.cl", "return scaled(plus_scaled(a, b, (reals)(1)), arm);",
      "return scaled(a, arm);"},
-    {"a_row_beyond_the_face_is_missed", "dense_seek.cl", "(z < 0 ? z + zones : z - zones)", "-1"},
+    {"a_row_beyond_the_face_is_missed", "dense_near.cl", "(z < 0 ? z + zones : z - zones)", "-1"},
 };
 
 class DenseMistakes : public ::testing::TestWithParam<Mistake> {};
