@@ -14,7 +14,7 @@ def curve(row):
 
 def panel(axes, rows, quantity):
     """Each row's drift; its bound is a thin line of the same colour. Means that stay are no drift: no logarithm."""
-    of_means = rows[0]["scene"] == "vibrated" and quantity != "lost"
+    of_means = rows[0]["scene"] == "vibrated"
     for row in rows:
         points = [(step, value if of_means else max(abs(value), 1e-18)) for step, value in curve(row)]
         if not points:

@@ -103,7 +103,7 @@ LongVerdict judge_bounces(const LongPlan& plan, const LongHistory& history, cons
                             : "errors of a bounce at random phases walk, as rounding does");
   if (quantity == "momentum")
     return drift_within(plan, history, momentum_share, walk,
-                        "actio is reactio; the rounding of each step walks");
+                        "every force has its counter-force; the rounding of each step walks");
   if (quantity == "position")
     return drift_within(plan, history, way_in_diameters,
                         walk * plan.unit_speed * plan.scene.run.step * count / std::numbers::sqrt3 /
@@ -128,9 +128,9 @@ LongVerdict judge_the_end(const LongPlan& plan, const LongHistory& history) {
     expected += a_contact + flight / speed;
   }
   const auto measured = static_cast<double>(history.failed_at);
-  return {
-      measured, expected, !history.failed.empty() && std::abs(measured / expected - 1.0) < 0.15,
-      "every undamped contact gains energy (integrators.7): the steps after which the overlap is too deep"};
+  return {measured, expected, !history.failed.empty() && std::abs(measured / expected - 1.0) < 0.15,
+          "every undamped contact gains energy (integrators.7): the step at which the overlap is too deep, "
+          "within 15 %"};
 }
 
 LongVerdict judge_pile(const LongPlan& plan, const LongHistory& history, const std::string& quantity,
