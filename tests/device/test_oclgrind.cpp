@@ -81,6 +81,11 @@ TEST_F(OclgrindOnce, FindsNothingInTheDensePath) {
       expect_clean(run_driver(checker, precision + std::string(" dense ") + scene + " 16 20"));
 }
 
+TEST_F(OclgrindOnce, FindsNothingInTheDensePathByOne) {
+  for (const char* scene : {"boxed", "fixed", "turning_liggghts"})
+    expect_clean(run_driver(checker, std::string("single dense_by_one ") + scene + " 16 20"));
+}
+
 TEST_F(OclgrindOnce, FindsNothingInABuildOfEveryStage) {
   for (const char* precision : {"single ", "double "})
     expect_clean(run_driver(checker, precision + std::string("zoned damped_friction 20 6 full")));
