@@ -96,6 +96,64 @@ TEST(RunCommand, KeepsNoLedgerWhereNoneIsWanted) {
   EXPECT_TRUE(json_of(out + "/summary.json")["ledger"].is_null());
 }
 
+/// 8 × 8 × 8 of them in the air, for 20 steps.
+std::string many_falling(const std::string& more = "") {
+  return R"(schema = 1
+title = "Many spheres in the air"
+[run]
+end = 2e-3
+step = 1e-4
+[domain]
+lower = [0, 0, 0]
+upper = [1, 1, 1]
+boundary = ["periodic", "periodic", "wall"]
+material = "glass"
+[material.glass]
+density = 2000.0
+[[contact]]
+between = ["glass", "glass"]
+normal = { law = "linear", stiffness = 1e4, restitution = 0.8 }
+[[particles]]
+material = "glass"
+diameter = 0.08
+fill = { kind = "lattice", counts = [8, 8, 8], origin = [0.06, 0.06, 0.06], spacing = 0.12, jitter = 0.0, seed = 1 }
+[field]
+gravity = [0.0, 0.0, -9.81]
+)" + more;
+}
+
+TEST(RunCommand, KeepsALedgerOfManyWhereItIsAskedForAlone) {
+  const Scratch scratch;
+  const std::string run = "run " + scratch.file("many.toml", many_falling()) + " --json ";
+  const std::string file = scratch.path("s.json").string();
+  const Ended plain = run_program(run + file);
+  ASSERT_EQ(plain.code, 0) << plain.err;
+  EXPECT_NE(plain.out.find("--ledger"), std::string::npos) << plain.out;
+  const auto without = json_of(file);
+  EXPECT_TRUE(without["ledger"].is_null());
+
+  const Ended asked = run_program(run + file + " --ledger");
+  ASSERT_EQ(asked.code, 0) << asked.err;
+  const auto with = json_of(file);
+  const auto& energies = without["energies"]["final"];
+  const double kinetic = with["ledger"]["final"]["kinetic"], work = with["ledger"]["final"]["gravity_work"];
+  EXPECT_GT(kinetic, 0.0);
+  EXPECT_NEAR(energies["kinetic"].get<double>() / kinetic, 1.0, 1e-9);
+  EXPECT_EQ(energies["elastic"], 0.0);
+  const double fallen =
+      without["energies"]["initial"]["gravitational"].get<double>() - energies["gravitational"].get<double>();
+  EXPECT_NEAR(fallen / work, 1.0, 1e-6);
+}
+
+TEST(RunCommand, KeepsTheLedgerThatAClaimIsAbout) {
+  const Scratch scratch;
+  const std::string claim =
+      "[[expect]]\nquantity = \"energy\"\nagainst = \"invariant:energy\"\nbelow = 1e-3\n";
+  const std::string scene = scratch.file("many.toml", many_falling(claim));
+  ASSERT_EQ(run_program("run " + scene + " --json " + scratch.path("s.json").string()).code, 0);
+  EXPECT_FALSE(json_of(scratch.path("s.json"))["ledger"].is_null());
+}
+
 TEST(RunCommand, ThatGoesWrongSaysWhereKeepsTheLastGoodFrameAndExitsWithThree) {
   const Scratch scratch;
   const std::string scene = scratch.file("escaping.toml", escaping_sphere());

@@ -16,7 +16,7 @@ done
 mv "$work/packed" "$work/moved here"
 cd /
 "$work/moved here/device.sh" "$work/out" --tiny
-for file in doctor.txt verify.json bench.json; do
+for file in doctor.txt verify.json crowd.json bench.json; do
   test -s "$work/out/$file" || { echo "FAIL no $file"; exit 1; }
 done
 python3 - "$work/out" <<'CHECK'
@@ -24,6 +24,8 @@ import json, pathlib, sys
 out = pathlib.Path(sys.argv[1])
 verdicts = {row["verdict"] for row in json.loads((out / "verify.json").read_text())["results"]}
 assert "pass" in verdicts and "fail" not in verdicts, verdicts
+crowd = [row["verdict"] for row in json.loads((out / "crowd.json").read_text())["results"]]
+assert crowd and set(crowd) == {"pass"}, crowd
 rows = json.loads((out / "bench.json").read_text())["results"]
 measured = {row["suite"] for row in rows if row["status"] == "completed"}
 assert {"scaling", "cundall", "features", "roofline"} <= measured, measured

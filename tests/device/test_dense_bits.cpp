@@ -74,9 +74,34 @@ INSTANTIATE_TEST_SUITE_P(Orders, DenseBits,
                                                               Precision::double_precision)),
                          name_of_order);
 
+EngineOptions by_one(EngineOptions options) {
+  options.width = Width::one;
+  return options;
+}
+
+// Other groups, another order within them and another search: only the physics is the same.
+TEST(DenseBits, OfCanonicalOrderAreTheSameByOneAndByMany) {
+  for (const auto& [precision, spread] :
+       {std::pair(Precision::single_precision, 0.2), std::pair(Precision::double_precision, 0.0)}) {
+    const Scene scene = bed(SumOrder::canonical, spread);
+    const Ended many = ended(dense(0.004, precision), scene);
+    const Ended one = ended(by_one(dense(0.004, precision)), scene);
+    EXPECT_EQ(one.digest, many.digest);
+    EXPECT_EQ(one.rebuilds, many.rebuilds);
+  }
+}
+
+TEST(DenseBits, ByOneDoNotDependOnHowStepsAreAskedFor) {
+  const Scene scene = bed(SumOrder::fast, 0.2);
+  const Ended once = ended(by_one(dense(0.002)), scene);
+  EXPECT_GT(once.rebuilds, 3);
+  EXPECT_EQ(once.digest, ended(by_one(dense(0.002)), scene, 15).digest);
+  EXPECT_NE(once.digest, ended(dense(0.002), scene).digest);
+}
+
 TEST(DenseBits, DoNotDependOnTheNumberOfThreads) {
-  for (const char* precision : {"single", "double"}) {
-    const std::string arguments = precision + std::string(" dense turning_liggghts 60 100");
+  for (const char* how : {"single dense", "double dense", "single dense_by_one"}) {
+    const std::string arguments = how + std::string(" turning_liggghts 60 100");
     const Finished one = run_driver("POCL_MAX_PTHREAD_COUNT=1", arguments), all = run_driver("", arguments);
     ASSERT_EQ(one.status, 0) << one.output;
     EXPECT_NE(one.output.find("digest"), std::string::npos) << one.output;

@@ -7,21 +7,25 @@
 namespace grainproof::opencl::testing {
 namespace {
 
-Outcome outcome_of(Path path, Scene scene) {
+Outcome outcome_of(Path path, Scene scene, Width width = Width::many) {
   EngineOptions options = options_for(Precision::single_precision);
   options.skin = 0.01;
   options.path = path;
+  options.width = width;
   OpenClEngine engine(options);
   return engine.observe(scene, {}).outcome;
 }
 
 void expect_same_failure(const Scene& scene, const std::string& words) {
-  const Outcome zoned = outcome_of(Path::zoned, scene), seen = outcome_of(Path::dense, scene);
-  EXPECT_EQ(seen.status, Outcome::Status::went_wrong);
-  EXPECT_NE(seen.reason.find(words), std::string::npos) << seen.reason;
-  EXPECT_EQ(seen.reason, zoned.reason);
-  EXPECT_EQ(seen.step, zoned.step);
-  EXPECT_EQ(seen.particles, zoned.particles);
+  const Outcome zoned = outcome_of(Path::zoned, scene);
+  for (const Width width : {Width::many, Width::one}) {
+    const Outcome seen = outcome_of(Path::dense, scene, width);
+    EXPECT_EQ(seen.status, Outcome::Status::went_wrong);
+    EXPECT_NE(seen.reason.find(words), std::string::npos) << seen.reason;
+    EXPECT_EQ(seen.reason, zoned.reason);
+    EXPECT_EQ(seen.step, zoned.step);
+    EXPECT_EQ(seen.particles, zoned.particles);
+  }
 }
 
 TEST(DenseFailures, AnEscapeIsToldAsByTheZonedPath) {

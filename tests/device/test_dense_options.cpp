@@ -5,6 +5,7 @@
 #include "crowds.hpp"
 #include "opencl/dense_options.hpp"
 #include "opencl/layout.hpp"
+#include "opencl/width.hpp"
 #include "scenes.hpp"
 
 namespace grainproof::opencl::testing {
@@ -89,6 +90,20 @@ TEST(DensePath, LeavesOtherWallsAndMaterialsToTheZonedPath) {
 
 TEST(DensePath, NeedsAPeriodicBoxOfFiveReaches) {
   expect_refused(crowded_scene({.across = 3}), "shorter than five reaches");
+}
+
+TEST(DenseOptions, TakeOneParticleAWorkItemOnAGpu) {
+  EXPECT_TRUE(takes_one(Width::automatic, true));
+  EXPECT_FALSE(takes_one(Width::automatic, false));
+  EXPECT_TRUE(takes_one(Width::one, false));
+  EXPECT_FALSE(takes_one(Width::many, true));
+  for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+    const DenseOptions one = dense_options(crowded_scene({}), precision, true);
+    EXPECT_EQ(lanes_of(one), 1);
+    EXPECT_EQ(spans_of(one), group_size(one));
+    EXPECT_EQ(window_size % group_size(one), 0);
+    EXPECT_EQ(spans_of(dense_options(crowded_scene({}), precision)), 1);
+  }
 }
 
 TEST(DenseOptions, FollowFromTheSceneAlone) {

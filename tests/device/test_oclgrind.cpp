@@ -87,6 +87,11 @@ TEST_F(OclgrindOnce, FindsNothingInTheDensePath) {
       expect_clean(run_driver(checker, precision + std::string(" dense ") + scene + " 16 20"));
 }
 
+TEST_F(OclgrindOnce, FindsNothingInTheDensePathByOne) {
+  for (const char* scene : {"boxed", "fixed", "turning_liggghts"})
+    expect_clean(run_driver(checker, std::string("single dense_by_one ") + scene + " 16 20"));
+}
+
 TEST_F(OclgrindOnce, FindsNothingInTheDensePathInCanonicalOrder) {
   for (const char* precision : {"single", "double"})
     expect_clean(run_driver(checker, precision + std::string(" dense turning_liggghts 16 12 canonical")));
@@ -122,7 +127,11 @@ std::set<std::string> files_run_above() {
   for (const SumOrder order : {SumOrder::fast, SumOrder::canonical}) {
     Scene scene = varied_scene("turning_liggghts");
     scene.run.order = order;
-    add(dense_kernel_files(dense_options(scene, Precision::double_precision), false));
+    DenseOptions options = dense_options(scene, Precision::double_precision);
+    for (const bool one : {false, true}) {
+      options.one = one;
+      add(dense_kernel_files(options, false));
+    }
   }
   return files;
 }

@@ -20,10 +20,11 @@ struct Subject {
   Make make;
 };
 
-Subject on_path(Precision precision, Path path, const std::string& name) {
+Subject on_path(Precision precision, Path path, const std::string& name, Width width = Width::automatic) {
   return {name, [=] {
             EngineOptions options = options_for(precision);
             options.path = path;
+            options.width = width;
             return std::make_unique<OpenClEngine>(options);
           }};
 }
@@ -137,6 +138,17 @@ TEST(DenseRestart, ChangesNoBitInEitherOrder) {
       expect_same_bits(dense, scene, stops, crowd_steps);
     }
   }
+}
+
+TEST(DenseRestart, ChangesNoBitByOneParticleAWorkItem) {
+  const Scene scene = crowded_scene({.across = 8, .layers = 8});
+  const Subject one = on_path(Precision::single_precision, Path::dense, "dense by one", Width::one);
+  expect_same_bits(one, scene, {0, 31, 32, 90}, crowd_steps);
+  const auto many = on_path(Precision::single_precision, Path::automatic, "dense").make();
+  const auto before = started(*one.make(), scene, {});
+  before->advance(20);
+  const std::string because = many->resume(scene, {}, before->checkpoint()).not_exact_because;
+  EXPECT_NE(because.find("dense by one"), std::string::npos) << because;
 }
 
 /// Largest distance of a particle, over the largest diameter, between a run that never stops and one that
