@@ -17,14 +17,14 @@ INLINE Push press(World w, Load* load, ContactPoint c, PairLaw law) {
   const real elastic = law.stiffness * rise.factor * c.overlap;
   const Rolling roll = {c.spin,   c.winding,  c.wall_spin,               c.normal,   c.radius, elastic,
                         pressing, law.spring * rise.factor, c.duration, c.share,  turnover.since, c.memory};
-  resist_rolling(&load->turning, roll, law, &load->account);
+  const real3 rolled = resist_rolling(&load->turning, roll, law, &load->account);
   const real3 force = pressing * c.normal + rubbing;
   load->force += force;
   const real3 dashpot = (pressing - elastic) * c.normal;
   enter_normal(&load->account, c.share, elastic_energy(c.overlap, law, rise), dashpot, c.surface);
   enter_friction(&load->account, rubbing, torque, c.surface);
   enter_force(&load->account, c.share, force, c.surface);
-  const Push push = {slip, pressing, rubbing, rise};
+  const Push push = {slip, pressing, rubbing, rolled, rise};
   return push;
 }
 

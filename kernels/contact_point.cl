@@ -37,5 +37,6 @@ typedef struct {
   real3 slip;
   real pressing;
   real3 rubbing;
+  real3 rolled;  // torque against rolling
   Rise rise;
 } Push;

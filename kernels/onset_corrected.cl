@@ -41,28 +41,24 @@ INLINE real3 refined_slip(World w, ContactPoint c, real3 slip, real stiffness, r
   return slip * refinement(c.foresight, mobility, stiffness, damping);
 }
 
-// Whatever the law, a pull too.
-INLINE real full_force(real overlap, real separating, PairLaw law, real root_mass, Rise rise) {
-  return law.stiffness * rise.factor * overlap - dashpot(law, root_mass) * rise.root * separating;
-}
-
 // Over a time of `way` and of an impulse of the normal force, from a spring that is there at its start.
-INLINE real3 rubbing_over(real time, real3 way, real3 spring, real pressed, ContactPoint c, PairLaw law, Rise rise) {
+INLINE real3 rubbing_over(real time, real3 way, real3 spring, real pressed, real stiffness, real damping, ContactPoint c,
+                          PairLaw law) {
   return friction_force(way, pressed, law, c.root_mass) -
-         gripping((spring + (real)0.5 * way) * time, spring_damping_of(law, c.root_mass, rise) * way,
-                  law.spring * rise.factor, law.sliding * pressed, law);
+         gripping((spring + (real)0.5 * way) * time, damping * way, stiffness, law.sliding * pressed, law);
 }
 
 // Of a contact that begins, what friction has done: the slip becomes that after it.
-INLINE void rub_from_the_touch(World w, ContactPoint* c, PairLaw law, Onset* o, real rate) {
+INLINE void rub_from_the_touch(World w, ContactPoint* c, PairLaw law, Onset* o, real rate, real pressed) {
   const Rise rise = rise_of(c->overlap, c->radius, law);
   const real3 slip = c->velocity - separating_rate(*c) * c->normal - c->rolling;
   c->turnover.since = o->time;
-  c->turnover.slip = slip;
+  c->turnover.slip = slip_at_touch(slip, law);
   c->turnover.limit = law.sliding * magnitude(full_force(0, -rate, law, c->root_mass, rise_of(0, c->radius, law)));
-  const real3 first = left_of(spring_damping_of(law, c->root_mass, rise) * slip, law.spring * rise.factor,
-                              c->turnover.limit, law);
-  o->rub = rubbing_over(o->time, slip * o->time, first, magnitude(o->impulse), *c, law, rise);
+  const real stiffness = law.spring * rise.factor, damping = spring_damping_of(law, c->root_mass, rise);
+  const real3 first = left_of(damping * c->turnover.slip, stiffness, c->turnover.limit, law);
+  o->rub = rubbing_over(o->time, slip * o->time, first, pressed, stiffness * spring_share(law, true),
+                        damping * damping_share(law), *c, law);
   const real3 change = o->rub * (c->inverse_mass + turning_mobility(w, c->self, c->arm, c->other, c->other_arm));
   c->turnover.way = (slip + (real)0.5 * change) * o->time;
   c->velocity += change;
@@ -72,28 +68,28 @@ INLINE void rub_from_the_touch(World w, ContactPoint* c, PairLaw law, Onset* o, 
 INLINE Onset onset_of(World w, ContactPoint* c, PairLaw law) {
   Onset o = {false, 0, 0, 0, (real3)(0)};
   if (c->starting || c->memory->w != 0) return o;
-  const real step = w.constants->time.x, mass = c->root_mass * c->root_mass;
+  const real step = w.constants->time.x;
   real3 slip;
   const real middle = half_rate_of(w, *c, &slip);
   const bool within_step = middle > 0 && c->overlap < middle * step;
   o.begins = true;
   o.time = within_step ? c->overlap / middle : step;
   const real rate = within_step ? middle : c->overlap / step;
-  const Flow f = flow_of(0, rate, o.time, law.stiffness, dashpot(law, c->root_mass), mass);
-  o.impulse = -mass * f.gain;
-  o.moment = -mass * f.way;
-  if (law.lowest == 0) o.impulse = greater_of(o.impulse, 0);
-  c->velocity -= (separating_rate(*c) + rate + f.gain) * c->normal;
-  c->overlap += f.way;
-  rub_from_the_touch(w, c, law, &o, rate);
+  const Begun b = begun(rate, o.time, step, law, c->root_mass, c->radius);
+  o.impulse = b.impulse;
+  o.moment = b.moment;
+  c->velocity -= (separating_rate(*c) + rate + b.gain) * c->normal;
+  c->overlap += b.way;
+  rub_from_the_touch(w, c, law, &o, rate, b.pressed);
   c->duration = o.time;
   c->foresight = 0;
   return o;
 }
 
 INLINE void add_correction(World w, ContactPoint c, real3 normal, real3 normal_moment, real3 rubbing,
-                           real3 rubbing_moment) {
-  enter_correction(w, c.self, normal + rubbing, normal_moment + rubbing_moment, torque_of(rubbing, c.arm, c.normal));
+                           real3 rubbing_moment, real3 rolled) {
+  enter_correction(w, c.self, normal + rubbing, normal_moment + rubbing_moment,
+                   torque_of(rubbing, c.arm, c.normal) + rolled);
 }
 
 INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push push) {
@@ -101,15 +97,9 @@ INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push pu
   if (!o.begins) return;
   const real half_step = w.constants->time.y;
   add_correction(w, c, (o.impulse - half_step * push.pressing) * c.normal, o.moment * c.normal,
-                 o.rub - half_step * push.rubbing, o.rub * ((real)0.5 * o.time));
+                 o.rub - half_step * push.rubbing, o.rub * ((real)0.5 * o.time),
+                 ((real)0.5 * o.time - half_step) * push.rolled);  // grows from nothing
 }
-
-// How a contact stood at the last boundary: its velocities were those of the middle less what led on to the prediction.
-typedef struct {
-  real overlap, rate;
-  real3 slip;
-  real force;
-} Before;
 
 INLINE Before before_step(World w, ContactPoint c, PairLaw law) {
   const real separating = separating_rate(c);
@@ -123,41 +113,29 @@ INLINE Before before_step(World w, ContactPoint c, PairLaw law) {
   return b;
 }
 
-// Its impulse, were it never to change its sign, by Simpson's rule.
-INLINE real pressing_impulse(Before b, real time, Flow end, PairLaw law, real root_mass) {
-  const real mass = root_mass * root_mass;
-  const Rise rise = rise_of(b.overlap, 0, law);
-  const Flow middle = flow_of(b.overlap, b.rate, (real)0.5 * time, law.stiffness, dashpot(law, root_mass), mass);
-  const real halfway = b.overlap + (real)0.5 * time * b.rate + middle.way;
-  const real second = full_force(halfway, -b.rate - middle.gain, law, root_mass, rise);
-  const real third = full_force(b.overlap + time * b.rate + end.way, -b.rate - end.gain, law, root_mass, rise);
-  return (magnitude(b.force) + 4 * magnitude(second) + magnitude(third)) * (time / 6);
-}
-
-// Until there is no overlap left, or where the law never pulls no force, which swings as the overlap does.
-INLINE real time_left(Before b, real step, PairLaw law, real damping, real mass) {
-  const real apart = parting_time(b.overlap, b.rate, step, law.stiffness, damping, mass);
-  if (law.lowest < 0) return apart;
-  const real change = law.stiffness * b.rate - damping * b.force / mass;
-  return lesser_of(apart, parting_time(b.force, change, step, law.stiffness, damping, mass));
+// Rolling resistance at the last boundary, before it is wound any further.
+INLINE Rolling rolling_before(ContactPoint c, PairLaw law, Before b, Rise rise) {
+  const real3 spin = c.winding + c.winding - c.spin;
+  const Rolling r = {spin,    spin, c.wall_spin, c.normal, c.radius, law.stiffness * rise.factor * b.overlap,
+                     b.force, law.spring * rise.factor, 0, c.share,  -1, c.memory};
+  return r;
 }
 
 // A contact that has parted, or let go, since the last boundary.
 INLINE void let_go(World w, ContactPoint c, PairLaw law, Before b) {
   if (law.lowest == 0 && !(b.force > 0)) return;
-  const real step = w.constants->time.x, half_step = w.constants->time.y, mass = c.root_mass * c.root_mass;
+  const real step = w.constants->time.x, half_step = w.constants->time.y;
   const Rise rise = rise_of(b.overlap, c.radius, law);
-  const real time = time_left(b, step, law, dashpot(law, c.root_mass), mass);
-  const Flow f = flow_of(b.overlap, b.rate, time, law.stiffness, dashpot(law, c.root_mass), mass);
-  const real impulse = -mass * f.gain, moment = -mass * f.way + (step - time) * impulse;
-  const real pressed = pressing_impulse(b, time, f, law, c.root_mass);
-  const real3 spring = remembered_spring(c.memory, b.overlap, c.normal, law);
-  const real3 damped = spring_damping_of(law, c.root_mass, rise) * b.slip;
+  const Ended e = ended(b, step, law, c.root_mass, c.radius);
+  const real3 spring = remembered_spring(c.memory, c.normal, law);
+  const real stiffness = law.spring * rise.factor, damping = spring_damping_of(law, c.root_mass, rise);
   const real3 before = friction_force(b.slip, b.force, law, c.root_mass) -
-                       gripping(spring, damped, law.spring * rise.factor, law.sliding * magnitude(b.force), law);
-  const real3 rubbing = rubbing_over(time, b.slip * time, spring, pressed, c, law, rise);
-  add_correction(w, c, (impulse - half_step * b.force) * c.normal, (moment - step * half_step * b.force) * c.normal,
-                 rubbing - half_step * before, (step - (real)0.5 * time) * rubbing - step * half_step * before);
+                       gripping(spring, damping * b.slip, stiffness, law.sliding * magnitude(b.force), law);
+  const real3 rubbing = rubbing_over(e.time, b.slip * e.time, spring, e.pressed, stiffness * spring_share(law, false),
+                                     damping * damping_share(law), c, law);
+  add_correction(w, c, (e.impulse - half_step * b.force) * c.normal, (e.moment - step * half_step * b.force) * c.normal,
+                 rubbing - half_step * before, (step - (real)0.5 * e.time) * rubbing - step * half_step * before,
+                 rolling_to_the_end(rolling_before(c, law, b, rise), law, e.time, e.pressed, half_step));
 }
 
 INLINE void end_contact(World w, ContactPoint c, PairLaw law) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tangential spring as events see it, kernels/history.cl: what is remembered, in the tangent plane of now, and the
 // force, or the impulse, against the slip.
-INLINE real3 remembered_spring(const global real4* memory, real overlap, real3 normal, PairLaw law) {
-  return turned(kept(*memory, overlap, law), normal, law);
+INLINE real3 remembered_spring(const global real4* memory, real3 normal, PairLaw law) {
+  return turned(memory->xyz, normal, law);
 }
 
 // What the Coulomb limit leaves of a new spring.

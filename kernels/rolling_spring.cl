@@ -10,17 +10,26 @@ INLINE real3 winding_on_wall(real3 spin, real radius, real overlap, PairLaw law)
   return spin * ((radius - (real)0.5 * overlap) / (radius - overlap));
 }
 
-INLINE real3 spring_torque(Rolling r, PairLaw law, Account* account) {
+INLINE real rolling_stiffness(Rolling r) { return r.stiffness * r.radius * r.radius; }
+
+// Wound on and cut back.
+INLINE real3 held_torque(Rolling r, PairLaw law) {
   if (law.rolls != ROLLS_SPRING) return (real3)(0);
-  const real stiffness = r.stiffness * r.radius * r.radius;
+  const real stiffness = rolling_stiffness(r);
   const real about_normal = r.winding.x * r.normal.x + r.winding.y * r.normal.y + r.winding.z * r.normal.z;
   real3 torque = r.memory[1].xyz - (r.winding - about_normal * r.normal) * (stiffness * r.duration);
   if (r.since >= 0) torque = (r.winding - about_normal * r.normal) * -(stiffness * r.since);
   const real held = square_root(torque.x * torque.x + torque.y * torque.y + torque.z * torque.z);
   const real most = law.rolling * r.radius * magnitude(r.pressing);
   if (held > most) torque *= most / held;
+  return torque;
+}
+
+INLINE real3 spring_torque(Rolling r, PairLaw law, Account* account) {
+  if (law.rolls != ROLLS_SPRING) return (real3)(0);
+  const real3 torque = held_torque(r, law);
   r.memory[1] = (real4)(torque, 0);
-  const real kept = lesser_of(held, most);
-  enter_wound(account, r.share, (real)0.5 * kept * kept / stiffness);
+  const real square = torque.x * torque.x + torque.y * torque.y + torque.z * torque.z;
+  enter_wound(account, r.share, (real)0.5 * square / rolling_stiffness(r));
   return torque;
 }

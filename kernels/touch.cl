@@ -14,8 +14,6 @@ INLINE void stretch_spring(real3* rubbing, global real4* memory, Strain s, PairL
 INLINE void forget(global real4* memory) {
   if (memory->w != 0) *memory = (real4)(0);
 }
-INLINE real3 remembered_spring(const global real4* memory, real overlap, real3 normal, PairLaw law) {
-  return (real3)(0);
-}
+INLINE real3 remembered_spring(const global real4* memory, real3 normal, PairLaw law) { return (real3)(0); }
 INLINE real3 left_of(real3 damped, real stiffness, real limit, PairLaw law) { return (real3)(0); }
 INLINE real3 gripping(real3 spring, real3 damped, real stiffness, real limit, PairLaw law) { return (real3)(0); }

@@ -138,7 +138,13 @@ std::vector<std::string> memory_files(const BuildOptions& o) {
 std::vector<std::string> contact_files(const BuildOptions& o) {
   if (!o.predicts()) return {"contact_point.cl", "stretch_held.cl", "onset_none.cl", "contact.cl"};
   if (!o.corrects()) return {"contact_point.cl", "stretch_middle.cl", "onset_none.cl", "contact.cl"};
-  return {"contact_point.cl", "stretch_middle.cl", "onset_flow.cl", "onset_corrected.cl", "contact.cl"};
+  return {"contact_point.cl",
+          "stretch_middle.cl",
+          "onset_flow.cl",
+          "onset_linear.cl",
+          o.hertz ? "onset_hertz.cl" : "onset_by_linear.cl",
+          "onset_corrected.cl",
+          "contact.cl"};
 }
 
 std::vector<std::string> law_files(const BuildOptions& o) {

@@ -49,10 +49,6 @@ Support corrections_supported(const Scene& scene, const Request& request) {
   if (request.ledger)
     return Support::no(
         "the ledger does not book what onset_corrected does beside the forces; take velocity_verlet");
-  for (std::size_t a = 0; a < scene.contacts.materials(); ++a)
-    for (std::size_t b = a; b < scene.contacts.materials(); ++b)
-      if (scene.contacts.has(a, b) && std::holds_alternative<HertzNormal>(scene.contacts.at(a, b).normal))
-        return Support::no("onset_corrected is built for linear contacts; take velocity_verlet for Hertz");
   return {};
 }
 

@@ -184,7 +184,7 @@ TEST(OnsetInSingle, AddsNoMoreThanRoundOff) {
     EXPECT_LE((seen.velocity[i] - exact.velocity[i]).norm(), 64 * single_roundoff) << i;
 }
 
-TEST(OnsetSupport, HertzAndLedgersAreRefusedWithAReason) {
+TEST(OnsetSupport, LedgersAreRefusedWithAReasonAndHertzIsNot) {
   OpenClEngine engine(options_for(Precision::double_precision));
   Scene scene = head_on_scene(0.8, 64);
   scene.run.integrator = Integrator::onset_corrected;
@@ -194,7 +194,7 @@ TEST(OnsetSupport, HertzAndLedgersAreRefusedWithAReason) {
   EXPECT_NE(engine.supports(scene, ledger).because.find("ledger"), std::string::npos);
   scene.materials[0].elasticity = Elasticity{1e7, 0.3};
   scene.contacts.set(0, 0, {HertzNormal{Restitution{0.8}}});
-  EXPECT_NE(engine.supports(scene, {}).because.find("linear"), std::string::npos);
+  EXPECT_TRUE(engine.supports(scene, {}));
 }
 
 GRAINPROOF_IN_EVERY_PRECISION(Onset);
