@@ -35,11 +35,17 @@ LinearSystem without_free_motions(const LinearSystem& system);
 /// Whether the force between bodies that are pressed together turns with them: −f/r across their line.
 enum class Prestress { kept, left_out };
 
+/// How a scheme weakens the dashpot of a contact at a step (s): not at all, as onset_corrected by what its
+/// spring will do (stability.9), or as velocity_verlet_implicit by what it does itself (stability.12).
+struct Weakening {
+  enum class By { nothing, spring, itself } by = By::nothing;
+  double step = 0.0;
+};
+
 /// Every contact of the scene as it is at the start, moving bodies only: three coordinates each, or six with
 /// rotation. Linear contacts, cohesion, tangential springs, drag; planes as walls. Throws InputRefused for
-/// other laws and walls. With a `refining_step` (s) every dashpot is weakened as onset_corrected does it at
-/// that step (stability.9).
-LinearSystem linearised(const Scene& scene, Prestress prestress, double refining_step = 0.0);
+/// other laws and walls.
+LinearSystem linearised(const Scene& scene, Prestress prestress, const Weakening& weakening = {});
 
 /// The same in pieces, one for each way in which half the box along a periodic axis may map the system onto
 /// itself, changed in sign or not. One piece where there is no such axis.

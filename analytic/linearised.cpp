@@ -29,8 +29,8 @@ struct Touch {
 
 class Assembly {
  public:
-  Assembly(const Scene& scene, Prestress prestress, double refining_step)
-      : scene_(scene), prestress_(prestress), refining_step_(refining_step) {
+  Assembly(const Scene& scene, Prestress prestress, const Weakening& weakening)
+      : scene_(scene), prestress_(prestress), weakening_(weakening) {
     for (const Particle& particle : scene.particles) {
       first_coordinate_.push_back(particle.fixed ? -1 : coordinates_);
       if (!particle.fixed) coordinates_ += scene.rotation ? 6 : 3;
@@ -140,9 +140,16 @@ class Assembly {
   }
 
   double refined(double eta, double stiffness, double mass) const {
-    const double c = 0.5 * refining_step_ * eta / mass;
-    const double kappa = 0.5 * refining_step_ * refining_step_ * stiffness / mass;
-    return eta * (1.0 + c) / (1.0 + c + kappa);
+    const double c = 0.5 * weakening_.step * eta / mass;
+    const double kappa = 0.5 * weakening_.step * weakening_.step * stiffness / mass;
+    switch (weakening_.by) {
+      case Weakening::By::spring:
+        return eta * (1.0 + c) / (1.0 + c + kappa);
+      case Weakening::By::itself:
+        return eta / (1.0 + c);
+      default:
+        return eta;
+    }
   }
 
   void add_friction(const Touch& touch, const Vec3& direction, double eta) {
@@ -161,7 +168,7 @@ class Assembly {
 
   const Scene& scene_;
   Prestress prestress_;
-  double refining_step_;
+  Weakening weakening_;
   Index coordinates_ = 0;
   std::vector<Index> first_coordinate_;  ///< of each particle; −1 for a fixed one
   VectorXd mass_;
@@ -170,8 +177,8 @@ class Assembly {
 
 }  // namespace
 
-LinearSystem linearised(const Scene& scene, Prestress prestress, double refining_step) {
-  return Assembly(scene, prestress, refining_step).assembled();
+LinearSystem linearised(const Scene& scene, Prestress prestress, const Weakening& weakening) {
+  return Assembly(scene, prestress, weakening).assembled();
 }
 
 }  // namespace grainproof::analytic

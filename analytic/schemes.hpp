@@ -28,7 +28,8 @@ struct LinearScheme {
   FlipCondition flip;
   bool gains = false;  ///< stable below 2 (η + m/τ)/k only, since each step adds energy (integrators.7)
   bool late_springs = false;  ///< a spring that remembers needs a dashpot, since it adds energy (stability.8)
-  bool refines = false;       ///< dashpots are weakened by what their springs will do: linearised() knows how
+  Weakening::By weakens = Weakening::By::nothing;  ///< dashpots: linearised() knows how
+  bool composed = false;  ///< of several evaluations: between stable steps may lie unstable ones
 };
 
 /// One contact: effective mass, spring, spring that remembers, dashpot, drag rate.

@@ -121,6 +121,8 @@ double creep_limit(Integrator integrator, double mass, const LinearNormal& norma
           [](const DynamicFriction&) { return no_limit; },
           // k_f h² + (m/τ) h < 2 m: the law itself holds the step.
           [&](const StepFriction& law) {
+            if (linear_scheme(integrator).weakens == Weakening::By::itself)
+              return std::cbrt(4.0 * mass / (turning * law.stiffness * drag_rate));
             return 4.0 * mass /
                    (mass * drag + std::sqrt(std::pow(mass * drag, 2) + 8.0 * turning * law.stiffness * mass));
           },

@@ -87,7 +87,7 @@ analytic::Prestress prestress_of(const Scene& scene) {
 
 Prediction::Prediction(const Scene& scene, std::string_view integrator)
     : scene_(scene), scheme_(analytic::linear_scheme(integrator)), parts_(parts(0.0)) {
-  limit_ = scheme_.refines
+  limit_ = weakens()
                ? analytic::spectral_limit(
                      scheme_, [this](double step) { return parts(step); }, analytic::undamped_limit(parts_))
                : analytic::spectral_limit(scheme_, parts_);
@@ -95,14 +95,14 @@ Prediction::Prediction(const Scene& scene, std::string_view integrator)
 
 std::vector<analytic::LinearSystem> Prediction::parts(double step) const {
   std::vector<analytic::LinearSystem> bound;
-  for (const analytic::LinearSystem& part :
-       analytic::symmetric_parts(scene_, analytic::linearised(scene_, prestress_of(scene_), step)))
+  for (const analytic::LinearSystem& part : analytic::symmetric_parts(
+           scene_, analytic::linearised(scene_, prestress_of(scene_), {scheme_.weakens, step})))
     bound.push_back(analytic::without_free_motions(part));
   return bound;
 }
 
 double Prediction::growth(double step) const {
-  return analytic::growth_a_step(scheme_, scheme_.refines ? parts(step) : parts_, step);
+  return analytic::growth_a_step(scheme_, weakens() ? parts(step) : parts_, step);
 }
 
 Scene perturbed(const Scene& scene, double size) {

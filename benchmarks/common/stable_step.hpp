@@ -25,6 +25,9 @@ class Prediction {
   std::vector<analytic::LinearSystem> parts(double step) const;
 
   const Scene& scene_;
+  /// Whether the system depends on the step.
+  bool weakens() const { return scheme_.weakens != analytic::Weakening::By::nothing; }
+
   const analytic::LinearScheme& scheme_;
   std::vector<analytic::LinearSystem> parts_;  ///< as long as dashpots don't depend on the step
   double limit_;

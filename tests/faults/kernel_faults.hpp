@@ -120,6 +120,15 @@ inline constexpr std::array kernel_faults{
                 "*whole += images * period", "hard_periodic_face", opencl::Precision::single_precision},
     KernelFault{"GravityLeftOut", "forces.cl", "self.inverse_mass + gravity", "self.inverse_mass",
                 "hard_one_in_many_zones"},
+    KernelFault{"DashpotTwiceAsImplicit", "dashpots_implicit.cl", "time.y * damping", "time.x * damping",
+                "implicit_settling"},
+    KernelFault{"DashpotsTakeTheMiddleOfTheStep", "velocity_verlet_implicit.cl",
+                "middle.xyz + w.accelerations[i].xyz * w.constants->time.y", "middle.xyz",
+                "implicit_settling"},
+    KernelFault{"SpringWithoutTheDriftToTheBoundary", "stages_composed.cl", "2 * (real)XI", "(real)XI",
+                "oblique_schemes"},
+    KernelFault{"KicksInTheWrongOrder", "pefrl.cl", "kick_share(stage - 1)", "kick_share(stage)",
+                "pefrl_pressed"},
 };
 
 /// Of every kind one or two, for every day; tests/faults/score.py plants all.
