@@ -35,11 +35,14 @@ LinearSystem without_free_motions(const LinearSystem& system);
 /// Whether the force between bodies that are pressed together turns with them: −f/r across their line.
 enum class Prestress { kept, left_out };
 
-/// What depends on the step, s: every dashpot is weakened as onset_corrected does it at the step `refining`
-/// (stability.9), and the friction that holds the step itself (friction.2) is that of the step `friction`.
+/// How a scheme weakens the dashpot of a contact: not at all, as onset_corrected by what its spring will do
+/// (stability.9), or as velocity_verlet_implicit by what it does itself (stability.12).
+enum class Weakening { none, by_spring, by_itself };
+
+/// What depends on the step, s: how far a dashpot is weakened, and friction that holds the step itself (friction.2).
 struct StepOf {
-  double refining = 0.0;
-  double friction = 0.0;
+  Weakening weakening = Weakening::none;
+  double step = 0.0;
 };
 
 /// Every contact of the scene as it is at the start, moving bodies only: three coordinates each, or six with

@@ -141,9 +141,17 @@ class Assembly {
   }
 
   double refined(double eta, double stiffness, double mass) const {
-    const double c = 0.5 * step_.refining * eta / mass;
-    const double kappa = 0.5 * step_.refining * step_.refining * stiffness / mass;
-    return eta * (1.0 + c) / (1.0 + c + kappa);
+    const double c = 0.5 * step_.step * eta / mass;
+    const double kappa = 0.5 * step_.step * step_.step * stiffness / mass;
+    switch (step_.weakening) {
+      case Weakening::by_spring:
+        return eta * (1.0 + c) / (1.0 + c + kappa);
+      case Weakening::by_itself:
+        return eta / (1.0 + c);
+      case Weakening::none:
+        break;
+    }
+    return eta;
   }
 
   /// c of friction.2.
@@ -153,7 +161,7 @@ class Assembly {
     return std::visit(
         Overloaded{
             [](const auto&) -> double { throw InputRefused("found friction without a static branch"); },
-            [&](const StepFriction& law) { return law.stiffness * step_.friction; },
+            [&](const StepFriction& law) { return law.stiffness * step_.step; },
             [&](const CollisionTimeFriction& law) { return law.stiffness * impact_time; },
             [&](const DampedFriction& law) { return law.stiffness * impact_time + eta; },
         },
@@ -168,12 +176,12 @@ class Assembly {
       return body < 0 ? 0.0 : 0.5 * scene_.particles[body].diameter - shortened;
     };
     const VectorXd slip = relative(touch, direction, {arm(touch.first), arm(touch.second)});
+    const double mass = 1.0 / slip.dot(mass_.cwiseInverse().cwiseProduct(slip));
     if (!spring) {
-      damping_ += creep_rate(touch, eta) * slip * slip.transpose();
+      damping_ += refined(creep_rate(touch, eta), 0.0, mass) * slip * slip.transpose();
       return;
     }
     remembered_ += spring->stiffness * slip * slip.transpose();
-    const double mass = 1.0 / slip.dot(mass_.cwiseInverse().cwiseProduct(slip));
     damping_ += refined(spring->damping_ratio * eta, spring->stiffness, mass) * slip * slip.transpose();
   }
 

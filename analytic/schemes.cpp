@@ -87,6 +87,33 @@ MatrixXd predicted_verlet(const LinearSystem& system, double h) {
   return stacked(Row(x + half + a), Row(half + a), a);
 }
 
+/// As Verlet, but dashpots take what springs make of the half-step velocity. The system's damping is that of
+/// dashpots weakened by what each does to itself; drag does likewise.
+MatrixXd implicit_verlet(const LinearSystem& system, double h) {
+  const Parts part{system.size(), 2};
+  const Row x = part(0), half = part(1);
+  const MatrixXd rest = MatrixXd::Identity(system.size(), system.size()) + 0.5 * h * system.drag;
+  const Row springs = -h * h * (system.stiffness + system.remembered) * x;
+  const Row foreseen = half + 0.5 * springs;
+  const Row new_half = half + springs - h * (system.damping + rest.inverse() * system.drag) * foreseen;
+  return stacked(Row(x + new_half), new_half);
+}
+
+/// Position and velocity times step at a boundary. Springs grow by what moves the bodies.
+MatrixXd pefrl(const LinearSystem& system, double h) {
+  constexpr double xi = 0.1786178958448091, lambda = -0.2123418310626054, chi = -0.06626458266981849;
+  constexpr std::array drifts{xi, chi, 1.0 - 2.0 * (chi + xi), chi};
+  constexpr std::array kicks{0.5 - lambda, lambda, lambda, 0.5 - lambda};
+  const Parts part{system.size(), 2};
+  Row x = part(0), v = part(1);
+  for (std::size_t n = 0; n < kicks.size(); ++n) {
+    x += drifts[n] * v;
+    v -= kicks[n] *
+         (h * h * (system.stiffness + system.remembered) * x + h * (system.damping + system.drag) * v);
+  }
+  return stacked(Row(x + xi * v), v);
+}
+
 double over(double numerator, double denominator) {
   return denominator > 0.0 ? numerator / denominator : std::numeric_limits<double>::infinity();
 }
@@ -98,7 +125,17 @@ constexpr std::array schemes{
     LinearScheme{"velocity_verlet", verlet, {1.0, 1.0, 2.0, 1.0}},
     LinearScheme{"velocity_verlet_predicted", predicted_verlet, {1.0, 1.0, 4.0, 1.0}},
     // The same while no contact begins or ends, but for weaker dashpots, which only widens the first limit.
-    LinearScheme{"onset_corrected", predicted_verlet, {1.0, 1.0, 4.0, 1.0}, false, true},
+    LinearScheme{.name = "onset_corrected",
+                 .step = predicted_verlet,
+                 .flip = {1.0, 1.0, 4.0, 1.0},
+                 .weakens = Weakening::by_spring},
+    // A bound: springs and dashpots have a limit each, of which the second is weaker than this.
+    LinearScheme{.name = "velocity_verlet_implicit",
+                 .step = implicit_verlet,
+                 .flip = {1.0, 1.0, 2.0, 1.0},
+                 .weakens = Weakening::by_itself},
+    // A bound, found: springs alone allow k h² < 8.94 m, dashpots alone η h < 2.34 m.
+    LinearScheme{.name = "pefrl", .step = pefrl, .flip = {0.5, 0.5, 2.0, 1.0}, .composed = true},
 };
 
 }  // namespace
@@ -115,7 +152,41 @@ double flip_limit(const LinearScheme& scheme, const LinearContact& contact) {
   return over(4.0 * contact.mass, c + std::sqrt(c * c + 4.0 * k * contact.mass));
 }
 
+namespace {
+
+/// One body, one contact: (stability.12).
+double implicit_limit(const LinearContact& contact) {
+  const double springs = over(contact.mass, contact.stiffness + contact.remembered);
+  const double dashpots = over(contact.mass, contact.damping * contact.drag_rate);
+  return 2.0 * std::sqrt(std::min(springs, dashpots));
+}
+
+constexpr double round_off = 1e-12;
+
+/// Where the first instability begins; there may be stable steps beyond it.
+double first_unstable_step(const LinearScheme& scheme, const LinearContact& contact) {
+  const auto number = [](double value) { return MatrixXd::Constant(1, 1, value); };
+  const LinearSystem system{number(contact.stiffness / contact.mass),
+                            number(contact.remembered / contact.mass), number(contact.damping / contact.mass),
+                            number(contact.drag_rate)};
+  const auto stable = [&](double h) {  // (integrators.5)
+    const MatrixXd m = scheme.step(system, h);
+    const double trace = m(0, 0) + m(1, 1), determinant = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
+    return determinant <= 1.0 + round_off && std::abs(trace) <= 1.0 + determinant + round_off;
+  };
+  double low = 0.5 * flip_limit(scheme, contact);
+  if (std::isinf(low)) return low;
+  while (stable(1.05 * low)) low *= 1.05;
+  double high = 1.05 * low;
+  while (high - low > 1e-6 * high) (stable(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
+  return low;
+}
+
+}  // namespace
+
 double pair_limit(const LinearScheme& scheme, const LinearContact& contact) {
+  if (scheme.weakens == Weakening::by_itself) return implicit_limit(contact);
+  if (scheme.composed) return first_unstable_step(scheme, contact);
   double limit = flip_limit(scheme, contact);
   if (scheme.gains)
     limit =

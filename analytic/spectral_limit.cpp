@@ -12,7 +12,9 @@ namespace {
 /// Above 1 by less than this is round-off; a growth that matters at the limits looked for is 1e-6 and more.
 constexpr double round_off = 1e-9;
 constexpr int halvings_to_zero = 7;
-constexpr int doublings_to_infinity = 4;
+constexpr double as_good_as_infinite = 31.0;
+/// So that no search steps over the unstable steps that a composed scheme may have before stable ones.
+constexpr double composed_stride = 1.2;
 constexpr double tolerance = 1e-5;
 
 }  // namespace
@@ -50,10 +52,12 @@ double spectral_limit(const LinearScheme& scheme,
     high = low;
     low *= 0.5;
   }
-  for (int n = 0; low == high || stable(high); ++n) {
-    if (n > doublings_to_infinity) return std::numeric_limits<double>::infinity();
+  const double stride = scheme.composed ? composed_stride : 2.0,
+               farthest = 1.01 * as_good_as_infinite * scale;
+  while (low == high || stable(high)) {
+    if (high > farthest) return std::numeric_limits<double>::infinity();
     low = high;
-    high *= 2.0;
+    high *= stride;
   }
   while (high - low > tolerance * high) {
     const double middle = 0.5 * (low + high);

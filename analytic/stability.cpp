@@ -128,6 +128,8 @@ double creep_limit(Integrator integrator, double mass, const LinearNormal& norma
           [](const DynamicFriction&) { return no_limit; },
           // G (k_f h² + (m/τ) h) < 4 m, with G of stability.3: the law itself holds the step.
           [&](const StepFriction& law) {
+            if (linear_scheme(integrator).weakens == Weakening::by_itself)
+              return std::cbrt(4.0 * mass / (turning * law.stiffness * drag_rate));
             const double g = linear_scheme(integrator).flip.damping, slowed = g * mass * drag;
             return 8.0 * mass /
                    (slowed + std::sqrt(slowed * slowed + 16.0 * g * turning * law.stiffness * mass));

@@ -102,10 +102,12 @@ const Scene& resting(const StabilityCase& of) {
 
 /// Once for all engines and for integrators that step alike.
 const Prediction& prediction_of(const StabilityCase& of, Integrator integrator) {
-  static std::map<std::tuple<const Scene*, decltype(analytic::LinearScheme::step), bool>, Prediction> known;
+  static std::map<std::tuple<const Scene*, decltype(analytic::LinearScheme::step), analytic::Weakening>,
+                  Prediction>
+      known;
   const Scene& scene = resting(of);
   const analytic::LinearScheme& scheme = analytic::linear_scheme(integrator);
-  const auto key = std::tuple(&scene, scheme.step, scheme.refines);
+  const auto key = std::tuple(&scene, scheme.step, scheme.weakens);
   if (const auto found = known.find(key); found != known.end()) return found->second;
   return known.emplace(key, Prediction(scene, name_of(integrator))).first->second;
 }

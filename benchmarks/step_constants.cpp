@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -7,6 +8,7 @@
 #include "benchmarks/common/contact_errors.hpp"
 
 /// Writes analytic/measured_errors.cpp anew: bench_step_constants > analytic/measured_errors.cpp
+/// With names of integrators, their rows alone: for one that is new.
 namespace grainproof::bench {
 namespace {
 
@@ -29,9 +31,10 @@ void write_row(ErrorLaw law, Integrator integrator, double restitution) {
   std::fflush(stdout);
 }
 
-void write_table() {
+void write_table(std::span<char* const> wanted) {
   for (ErrorLaw law : laws)
     for (const auto& [name, integrator] : integrator_names) {
+      if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
       if (integrator == Integrator::euler_trapezoid_implicit_drag && law != ErrorLaw::drag) continue;
       if (!can_be_measured(law, integrator)) continue;
       for (double restitution : law == ErrorLaw::drag ? std::span<const double>(no_rebound) : restitutions)
@@ -61,8 +64,9 @@ constexpr const char* tail =
 }  // namespace
 }  // namespace grainproof::bench
 
-int main() {
-  std::printf("%s", grainproof::bench::head);
-  grainproof::bench::write_table();
-  std::printf("%s", grainproof::bench::tail);
+int main(int argc, char** argv) {
+  const std::span<char* const> wanted(argv + 1, static_cast<std::size_t>(argc - 1));
+  if (wanted.empty()) std::printf("%s", grainproof::bench::head);
+  grainproof::bench::write_table(wanted);
+  if (wanted.empty()) std::printf("%s", grainproof::bench::tail);
 }

@@ -11,8 +11,8 @@ INLINE void finish_forces(World w, Load load, Body self, int step) {
   meet_rectangles(w, &load, self, step);
   meet_cylinders(w, &load, self, step);
   const real3 gravity = gravity_at(w, self.position, step);
-  const real3 drag = drag_acceleration(w, self);
+  const real3 drag = drag_acceleration(w, self, step);
   w.accelerations[self.index] = (real4)(load.force * self.inverse_mass + gravity + drag, 0);
   close_turning(w, self.index, load.turning);
-  close_account(w, self.index, load.account, gravity, drag, step);
+  if (!springs_only(w)) close_account(w, self.index, load.account, gravity, drag, step);
 }

@@ -26,18 +26,25 @@ kernel void run_small(WORLD_PARAMETERS, const int set_up, const int first, const
                       const global int* sample_steps, const int samples, const int next_sample,
                       global Position* seen_positions, global real4* seen_velocities, global real4* seen_spins,
                       global real4* seen_orientations) {
-  const World w = WORLD;
+  World w = WORLD;
   const int i = get_global_id(0);
   int next = next_sample;
-  if (set_up) resolve_all_pairs(w, i, 0);
+  for (w.stage = 0; set_up && w.stage < STAGES; ++w.stage) resolve_all_pairs(w, i, 0);
   barrier(CLK_GLOBAL_MEM_FENCE);
   for (int step = first + 1; step <= last; ++step) {
-    if (!movers_halt(w, step)) integrate(w, i, step);
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    if (!forces_halt(w, step)) {
-      resolve_all_pairs(w, i, step);
-    } else if (i == 0) {
-      w.signals[HALTED] = 1;
+    for (w.stage = 0; w.stage < STAGES; ++w.stage) {
+      if (w.stage > 0) barrier(CLK_GLOBAL_MEM_FENCE);
+      if (!movers_halt(w, step)) integrate(w, i, step);
+      barrier(CLK_GLOBAL_MEM_FENCE);
+      if (!forces_halt(w, step)) {
+        resolve_all_pairs(w, i, step);
+      } else if (i == 0) {
+        w.signals[HALTED] = 1;
+      }
+    }
+    if (MOVES_LAST) {
+      barrier(CLK_GLOBAL_MEM_FENCE);
+      if (!movers_halt(w, step)) complete(w, i, step);
     }
     if (next < samples && sample_steps[next] == step)
       record(w, i, step, next++, seen_positions, seen_velocities, seen_spins, seen_orientations);

@@ -11,7 +11,7 @@ INLINE void meet_sphere(World w, Load* load, Body self, int j, int slot, int ste
   const PairLaw law = law_between(w, self.material, other.material);
   ContactPoint c;
   c.memory = memory_of_pair(w, slot);
-  c.duration = step > 0 ? w.constants->time.x : 0;
+  c.duration = stretch_time(w, step);
   c.starting = step == 0;
   c.foresight = step > 0 ? w.constants->time.x : 0;
   c.self = self.index;

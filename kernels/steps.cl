@@ -15,19 +15,23 @@ kernel void move(WORLD_PARAMETERS, const global Position* built_at, const int st
   if (moved_too_far(w, i, built_at)) atomic_min(&w.signals[STALE_AT], step);
 }
 
-// Forces at the boundary after `step`: each particle gathers from its partners, so nothing is written twice.
-kernel void resolve(WORLD_PARAMETERS, const global int* pair_starts, const global int* partners, const int step) {
-  const World w = WORLD;
-  const int i = get_global_id(0);
-  if (forces_halt(w, step)) {
-    if (i == 0) w.signals[HALTED] = 1;
-    return;
-  }
+INLINE void gather_forces(World w, int i, const global int* pair_starts, const global int* partners, int step) {
   const Body self = load_body(w, i);
   if (!(self.inverse_mass > 0)) return;
   Load load = no_load();
   for (int k = pair_starts[i]; k < pair_starts[i + 1]; ++k) meet_sphere(w, &load, self, partners[k], k, step);
   finish_forces(w, load, self, step);
+}
+
+// Forces at the boundary after `step`: each particle gathers from its partners, so nothing is written twice.
+kernel void resolve(WORLD_PARAMETERS, const global int* pair_starts, const global int* partners, const int step) {
+  World w = WORLD;
+  const int i = get_global_id(0);
+  w.stage = STAGES - 1;
+  if (!forces_halt(w, step))
+    gather_forces(w, i, pair_starts, partners, step);
+  else if (i == 0)
+    w.signals[HALTED] = 1;
 }
 
 kernel void report(WORLD_PARAMETERS, const int step) {

@@ -4,7 +4,7 @@ INLINE ContactPoint wall_contact(World w, Body self, int slot, int step) {
   ContactPoint c;
   c.root_mass = square_root(1 / self.inverse_mass);
   c.radius = in_metres(radius_of(self.position), w.box);
-  c.duration = step > 0 ? w.constants->time.x : 0;
+  c.duration = stretch_time(w, step);
   c.starting = step == 0;
   c.foresight = step > 0 ? w.constants->time.x : 0;
   c.self = self.index;

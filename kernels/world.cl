@@ -135,6 +135,7 @@ typedef struct {
   global int4* faults;                // step, cause, partner or face
   global int* signals;
   int table_origin;
+  int stage;                          // of the step, where forces are evaluated more than once in it
 } World;
 
 #define WORLD_PARAMETERS                                                                                   \

@@ -136,15 +136,27 @@ std::vector<std::string> memory_files(const BuildOptions& o) {
 }
 
 std::vector<std::string> contact_files(const BuildOptions& o) {
-  if (!o.predicts()) return {"contact_point.cl", "stretch_held.cl", "onset_none.cl", "contact.cl"};
-  if (!o.corrects()) return {"contact_point.cl", "stretch_middle.cl", "onset_none.cl", "contact.cl"};
+  if (o.implicit_dashpots())
+    return {"contact_point.cl", "stretch_held.cl", "dashpots_implicit.cl", "contact.cl"};
+  if (!o.predicts())
+    return {"contact_point.cl", "stretch_held.cl", "dashpots_explicit.cl", "onset_none.cl", "contact.cl"};
+  if (!o.corrects())
+    return {"contact_point.cl", "stretch_middle.cl", "dashpots_explicit.cl", "onset_none.cl", "contact.cl"};
   return {"contact_point.cl",
           "stretch_middle.cl",
+          "dashpots_explicit.cl",
           "onset_flow.cl",
           "onset_linear.cl",
           o.hertz ? "onset_hertz.cl" : "onset_by_linear.cl",
           "onset_corrected.cl",
           "contact.cl"};
+}
+
+/// How often forces are evaluated in a step, and for how long springs are stretched before.
+std::vector<std::string> stage_files(const BuildOptions& o) {
+  if (o.implicit_dashpots()) return {"stages_springs_first.cl"};
+  if (o.integrator == Integrator::pefrl) return {"stages_composed.cl"};
+  return {"stages_one.cl"};
 }
 
 std::vector<std::string> law_files(const BuildOptions& o) {
@@ -189,11 +201,24 @@ std::vector<std::string> orientation_files(OrientationUpdate update) {
 }
 
 std::vector<std::string> integrator_files(const BuildOptions& o) {
+  if (o.implicit_dashpots())
+    return {o.rotation ? "implicit_spin.cl" : "implicit_spin_none.cl", "velocity_verlet_implicit.cl",
+            "complete_none.cl", "boundary_predicted.cl",
+            o.rotation ? "boundary_spin_predicted.cl" : "boundary_spin_none.cl"};
+  if (o.integrator == Integrator::pefrl)
+    return {"pefrl.cl", "boundary.cl", o.rotation ? "boundary_spin.cl" : "boundary_spin_none.cl"};
   if (!o.predicts())
-    return {std::string(name_of(o.integrator)) + ".cl", "boundary.cl",
+    return {std::string(name_of(o.integrator)) + ".cl", "complete_none.cl", "boundary.cl",
             o.rotation ? "boundary_spin.cl" : "boundary_spin_none.cl"};
   return {o.rotation ? "predicted_spin.cl" : "predicted_spin_none.cl", "velocity_verlet_predicted.cl",
-          "boundary_predicted.cl", o.rotation ? "boundary_spin_predicted.cl" : "boundary_spin_none.cl"};
+          "complete_none.cl", "boundary_predicted.cl",
+          o.rotation ? "boundary_spin_predicted.cl" : "boundary_spin_none.cl"};
+}
+
+std::string drag_file(const BuildOptions& o) {
+  if (o.flow == FlowKind::none || o.integrator == Integrator::euler_trapezoid_implicit_drag)
+    return "drag_by_integrator.cl";
+  return o.implicit_dashpots() ? "drag_implicit.cl" : "drag_in_force.cl";
 }
 
 std::vector<std::string> motion_files(const BuildOptions& o) {
@@ -206,18 +231,17 @@ std::vector<std::string> motion_files(const BuildOptions& o) {
 }  // namespace
 
 std::vector<std::string> kernel_files(const BuildOptions& o, bool pocl) {
-  const bool drag_in_force =
-      o.flow != FlowKind::none && o.integrator != Integrator::euler_trapezoid_implicit_drag;
-  const std::vector<std::string> fields{file_of(o.gravity), file_of(o.flow),
-                                        drag_in_force ? "drag_in_force.cl" : "drag_by_integrator.cl"};
+  const std::vector<std::string> fields{file_of(o.gravity), file_of(o.flow), drag_file(o)};
   const std::vector<std::string> path =
       o.small ? std::vector<std::string>{"small.cl"}
               : std::vector<std::string>{"scan.cl", "sorting.cl", "zones.cl", "pairs.cl", "steps.cl"};
   std::vector<std::string> files = number_files(o.precision, pocl);
   files.push_back(velocity_file(o.precision));
-  for (const auto& part : {law_files(o), detector_files(o), fields, motion_files(o), path})
+  for (const auto& part :
+       {stage_files(o), law_files(o), detector_files(o), fields, motion_files(o), path})
     files.insert(files.end(), part.begin(), part.end());
   if (o.remembers() && !o.small) files.push_back("carry.cl");
+  if (o.implicit_dashpots() && !o.small) files.push_back("springs_first.cl");
   return files;
 }
 

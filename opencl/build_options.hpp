@@ -40,6 +40,10 @@ struct BuildOptions {
   bool predicts() const { return integrator == Integrator::velocity_verlet_predicted || corrects(); }
   /// Contacts that begin or end within a step act for the time that they lasted.
   bool corrects() const { return integrator == Integrator::onset_corrected; }
+  /// Each dashpot takes the velocity that it leaves; springs are evaluated before.
+  bool implicit_dashpots() const { return integrator == Integrator::velocity_verlet_implicit; }
+  /// Velocities in the middle of the step are held beside those that forces take.
+  bool holds_middles() const { return predicts() || implicit_dashpots(); }
   /// Contacts have a memory: of their springs, or of being there.
   bool remembers() const { return history || corrects(); }
 

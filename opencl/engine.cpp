@@ -76,6 +76,10 @@ Support OpenClEngine::supports(const Scene& scene, const Request& request) const
   if (needs_doubles(options_.precision) && !workshop_->has_double_precision())
     return Support::no("the device " + workshop_->device_name() + " has no double precision");
   if (const Support corrected = corrections_supported(scene, request); !corrected) return corrected;
+  if (const Support composed =
+          composition_within_limits(scene, request, takes_small_path(options_.path, scene));
+      !composed)
+    return composed;
   return within_limits(scene, options_.precision);
 }
 

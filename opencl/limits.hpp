@@ -10,6 +10,9 @@ namespace grainproof::opencl {
 /// particles outside the domain, bodies larger than it in single precision.
 Support within_limits(const Scene& scene, Precision precision);
 
+/// Of integrators that evaluate forces several times on the way of a step.
+Support composition_within_limits(const Scene& scene, const Request& request, bool small);
+
 /// Of one wall, and of one contact that remembers at the start.
 Support wall_within_limits(const Wall& wall, const Scene& scene, Precision precision);
 Support memory_within_limits(const ContactMemory& memory, const Scene& scene);

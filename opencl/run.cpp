@@ -136,7 +136,7 @@ std::uint64_t DeviceRun::digest() {
   hash = hashed(hash, read_particles(world_.positions, decoder_->position_bytes()));
   for (const cl::Buffer& vectors : {world_.velocities, world_.rests, world_.accelerations})
     hash = hashed(hash, read_particles(vectors, decoder_->vector_bytes()));
-  if (options_.predicts()) {
+  if (options_.holds_middles()) {
     hash = hashed(hash, read_particles(world_.middles, decoder_->vector_bytes()));
     hash = hashed(hash, read_spins(world_.spin_middles));
   }
@@ -158,14 +158,14 @@ Ledger DeviceRun::ledger() {
   ensure_started();
   const bool half_step_behind =
       done_ > 0 && (scene_.run.integrator == Integrator::leapfrog_verlet ||
-                    scene_.run.integrator == Integrator::velocity_verlet || options_.predicts());
+                    scene_.run.integrator == Integrator::velocity_verlet || options_.holds_middles());
   const double pending = half_step_behind ? scene_.run.step / 2 : 0.0;
   const std::size_t slots = image_.near.count();
   const LedgerBytes bytes{
       read_particles(world_.tallies, decoder_->tally_bytes()),
       read_particles(world_.sums, decoder_->ledger_bytes()),
-      read_particles(options_.predicts() ? world_.middles : world_.velocities, decoder_->vector_bytes()),
-      read_spins(options_.predicts() ? world_.spin_middles : world_.spins),
+      read_particles(options_.holds_middles() ? world_.middles : world_.velocities, decoder_->vector_bytes()),
+      read_spins(options_.holds_middles() ? world_.spin_middles : world_.spins),
       read_particles(world_.wall_tallies, slots * decoder_->wall_tally_bytes()),
       read_particles(world_.wall_sums, slots * decoder_->wall_sums_bytes())};
   return read_ledger(scene_, image_.near, frame(), bytes, *decoder_, pending);

@@ -57,8 +57,8 @@ World make_world(Workshop& workshop, const SceneImage& image, const Decoder& dec
   w.spin_rests = workshop.upload(vectors(turning));
   w.angular_accelerations = workshop.upload(vectors(turning));
   w.reported_spins = workshop.upload(spins);
-  w.middles = options.predicts() ? workshop.upload(image.velocities) : workshop.upload(vectors(1));
-  w.spin_middles = options.predicts() ? workshop.upload(spins) : workshop.upload(vectors(1));
+  w.middles = options.holds_middles() ? workshop.upload(image.velocities) : workshop.upload(vectors(1));
+  w.spin_middles = options.holds_middles() ? workshop.upload(spins) : workshop.upload(vectors(1));
   w.corrections = workshop.upload(vectors(options.corrects() ? correction_words * image.padded : 1));
   w.wall_tallies = workshop.upload(Bytes(booked_walls * decoder.wall_tally_bytes()));
   w.wall_sums = workshop.upload(Bytes(booked_walls * decoder.wall_sums_bytes()));

@@ -47,8 +47,18 @@ void ZonedRun::build_list(std::int64_t at_step) {
   counters_.listed_pairs = list_.entries() / 2;
   built_at_ = at_step;
   use_tables_of_steps(at_step, at_step);
+  enqueue_forces(at_step);
+}
+
+void ZonedRun::enqueue_forces(std::int64_t at_step) {
+  const auto step = static_cast<cl_int>(at_step);
+  if (options_.implicit_dashpots()) {
+    launch_in_world(*workshop_, program_, "resolve_springs", particles_, world_, list_.starts(),
+                    list_.partners(), step);
+    launch_in_world(*workshop_, program_, "foresee_velocities", particles_, world_, step);
+  }
   launch_in_world(*workshop_, program_, "resolve", particles_, world_, list_.starts(), list_.partners(),
-                  static_cast<cl_int>(at_step));
+                  step);
 }
 
 void ZonedRun::enqueue(std::int64_t first, std::int64_t last) {
@@ -56,8 +66,7 @@ void ZonedRun::enqueue(std::int64_t first, std::int64_t last) {
   for (std::int64_t n = first; n <= last; ++n) {
     const auto step = static_cast<cl_int>(n);
     launch_in_world(*workshop_, program_, "move", particles_, world_, list_.built_at(), step);
-    launch_in_world(*workshop_, program_, "resolve", particles_, world_, list_.starts(), list_.partners(),
-                    step);
+    enqueue_forces(n);
   }
 }
 

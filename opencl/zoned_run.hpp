@@ -28,6 +28,8 @@ class ZonedRun : public DeviceRun {
   void build_list(std::int64_t at_step);
   void remember_pairs();
   void enqueue(std::int64_t first, std::int64_t last);
+  /// Those at the boundary after a step.
+  void enqueue_forces(std::int64_t at_step);
   void catch_up();
   std::int64_t next_batch() const;
 

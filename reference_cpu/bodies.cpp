@@ -97,7 +97,7 @@ Bodies bodies_of(const Scene& scene) {
   }
   if (scene.orientation != OrientationUpdate::none)
     bodies.orientation.assign(bodies.size(), Quaternion::Identity());
-  if (predicts_velocities(scene.run.integrator)) make_room_for_halves(bodies);
+  if (holds_half_steps(scene.run.integrator)) make_room_for_halves(bodies);
   return bodies;
 }
 

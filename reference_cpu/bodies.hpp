@@ -77,6 +77,11 @@ constexpr bool predicts_velocities(Integrator integrator) {
   return integrator == Integrator::velocity_verlet_predicted || integrator == Integrator::onset_corrected;
 }
 
+/// Whether those of the middle of the step are held beside what forces take.
+constexpr bool holds_half_steps(Integrator integrator) {
+  return predicts_velocities(integrator) || integrator == Integrator::velocity_verlet_implicit;
+}
+
 Bodies bodies_of(const Scene& scene);
 
 bool has_cohesion(const Scene& scene);

@@ -8,12 +8,16 @@
 
 namespace grainproof::reference {
 
-Support ReferenceEngine::supports(const Scene& scene, const Request&) const {
+Support ReferenceEngine::supports(const Scene& scene, const Request& request) const {
+  if (request.ledger && scene.run.integrator == Integrator::pefrl)
+    return Support::no(
+        "the ledger needs forces at the boundary of a step, where pefrl evaluates none; take "
+        "velocity_verlet");
   return supported(scene);
 }
 
 std::unique_ptr<Run> ReferenceEngine::start(const Scene& scene, const Request& request) {
-  if (const Support support = supported(scene); !support) throw InputRefused(support.because);
+  if (const Support support = supports(scene, request); !support) throw InputRefused(support.because);
   return std::make_unique<ReferenceRun>(scene, request.ledger);
 }
 

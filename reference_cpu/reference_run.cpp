@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "model/strides.hpp"
 #include "reference_cpu/digest.hpp"
 #include "reference_cpu/fields.hpp"
+#include "reference_cpu/implicit_dashpots.hpp"
 #include "reference_cpu/memories.hpp"
 #include "reference_cpu/orientations.hpp"
 #include "reference_cpu/origin.hpp"
@@ -48,7 +50,7 @@ ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger, const Beginning
   walls_.move_to(static_cast<double>(first_step_) * scene_.run.step);
   if (bodies_.orientation.size() == beginning.orientation.size()) bodies_.orientation = beginning.orientation;
   find_neighbours();
-  evaluate_forces(0.0);
+  evaluate_forces(0.0, time());
 }
 
 void ReferenceRun::advance(std::int64_t steps) {
@@ -68,18 +70,44 @@ void ReferenceRun::kick(Kick apply) {
 }
 
 void ReferenceRun::take_step() {
+  if (!scheme_.substeps.empty()) return take_substeps();
   const double step = scene_.run.step;
   kick([&] { return scheme_.move(bodies_, scene_.flow, step, step_ - first_step_); });
   turn_bodies(scene_.orientation, bodies_, step, scheme_.move_lag);
   ++step_;
-  confine();
+  confine(step);
   raise_trouble();
   walls_.move_to(time());
   find_neighbours();
-  evaluate_forces(step);
+  evaluate_forces(step, time());
   if (scheme_.settle) kick([&] { return scheme_.settle(bodies_, step); });
   if (!events_.none()) correct_onsets();
   raise_trouble();
+}
+
+void ReferenceRun::take_substeps() {
+  const double step = scene_.run.step, lead = scheme_.substeps.front().drift;
+  // No force is evaluated at a boundary, so that springs lack the drift that led there.
+  double place = 0.0, lacking = step_ > first_step_ ? lead : 0.0;
+  ++step_;
+  for (const SubStep& part : scheme_.substeps) {
+    place += part.drift;
+    const double now = (static_cast<double>(step_ - 1) + place) * step;
+    drift_on(part.drift * step, now);
+    evaluate_forces((lacking + part.drift) * step, now);
+    lacking = 0.0;
+    grainproof::reference::kick(bodies_, part.kick * step);
+  }
+  drift_on(lead * step, time());
+}
+
+void ReferenceRun::drift_on(double duration, double now) {
+  drift(bodies_, duration);
+  turn_bodies(scene_.orientation, bodies_, duration, 0.0);
+  confine(duration);
+  raise_trouble();
+  walls_.move_to(now);
+  find_neighbours();
 }
 
 void ReferenceRun::find_neighbours() {
@@ -88,16 +116,15 @@ void ReferenceRun::find_neighbours() {
   neighbours_.list(bodies_);
 }
 
-bool ReferenceRun::leapt(const Body& body) const {
-  const double step = scene_.run.step;
+bool ReferenceRun::leapt(const Body& body, double step) const {
   return may_leap_ && body.velocity.squaredNorm() * (step * step) > body.radius * body.radius;
 }
 
 // Comparisons are false for NaN, so one test finds what has left and what is no number any more.
-void ReferenceRun::confine() {
+void ReferenceRun::confine(double step) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Vec3& position = bodies_.body[i].position;
-    if (leapt(bodies_.body[i])) watch_.report({Trouble::Kind::leapt, static_cast<std::int32_t>(i)});
+    if (leapt(bodies_.body[i], step)) watch_.report({Trouble::Kind::leapt, static_cast<std::int32_t>(i)});
     if (box_.any()) position = box_.inside(position);
     if (within(position, scene_.domain)) continue;
     const auto kind = position.allFinite() ? Trouble::Kind::escaped : Trouble::Kind::not_finite;
@@ -105,19 +132,36 @@ void ReferenceRun::confine() {
   }
 }
 
-void ReferenceRun::evaluate_forces(double elapsed) {
-  ForceLog* log = ledger_ ? &ledger_->log() : nullptr;
-  if (log) log->clear();
+void ReferenceRun::clear_forces() {
   std::ranges::fill(bodies_.acceleration, Vec3::Zero());
   std::ranges::fill(bodies_.angular_acceleration, Vec3::Zero());
+}
+
+void ReferenceRun::evaluate_forces(double elapsed, double now) {
+  if (scheme_.foresee) evaluate_springs(elapsed, now);
+  ForceLog* log = ledger_ ? &ledger_->log() : nullptr;
+  if (log) log->clear();
+  clear_forces();
   add_contacts(elapsed, log);
-  add_fields(scene_, time(), !scheme_.applies_drag, bodies_, log);
+  const bool drag = !scheme_.applies_drag;
+  add_fields(scene_, now, {.acts = drag, .implicit_over = scheme_.foresee ? elapsed : 0.0}, bodies_, log);
+}
+
+void ReferenceRun::evaluate_springs(double elapsed, double now) {
+  clear_forces();
+  history_.begin(elapsed);
+  add_spring_forces({laws_, box_, walls_, cohesion_, simple_}, neighbours_, bodies_, history_, watch_);
+  add_fields(scene_, now, {.acts = false}, bodies_, nullptr);
+  if (elapsed > 0.0) scheme_.foresee(bodies_, elapsed);
 }
 
 void ReferenceRun::add_contacts(double elapsed, ForceLog* log) {
   const ContactSetting setting{laws_, box_, walls_, cohesion_, simple_};
   const bool corrects = scene_.run.integrator == Integrator::onset_corrected;
-  if (corrects || (bodies_.predicts() && !simple_)) {
+  if (scheme_.foresee) {
+    history_.begin(0.0);
+    add_forces_with_implicit_dashpots(setting, elapsed, neighbours_, bodies_, history_, watch_, log);
+  } else if (corrects || (bodies_.predicts() && !simple_)) {
     history_.begin(elapsed);
     touching_.begin();
     add_boundary_forces(setting, {scene_.run.step, elapsed > 0.0, corrects}, neighbours_, bodies_, history_,

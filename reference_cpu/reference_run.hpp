@@ -34,13 +34,19 @@ class ReferenceRun : public RestartableRun {
 
  private:
   void take_step();
+  void take_substeps();
+  /// Bodies as they are for `duration` (s), up to the time `now`.
+  void drift_on(double duration, double now);
   template <class Kick>
   void kick(Kick apply);
-  bool leapt(const Body& body) const;
-  void confine();
+  bool leapt(const Body& body, double step) const;
+  void confine(double step);
   void find_neighbours();
   /// Contacts that already were have lasted `elapsed` (s) longer than at the evaluation before.
-  void evaluate_forces(double elapsed);
+  void evaluate_forces(double elapsed, double now);
+  /// The first of two evaluations: what acts besides dashpots, and the velocities that foretells.
+  void evaluate_springs(double elapsed, double now);
+  void clear_forces();
   void add_contacts(double elapsed, ForceLog* log);
   /// What began or ended within the step.
   void correct_onsets();

@@ -93,7 +93,7 @@ bool holds_the_step(const Scene& scene) {
 Prediction::Prediction(const Scene& scene, std::string_view integrator)
     : scene_(scene),
       scheme_(analytic::linear_scheme(integrator)),
-      by_step_(scheme_.refines || holds_the_step(scene)),
+      by_step_(scheme_.weakens != analytic::Weakening::none || holds_the_step(scene)),
       parts_(parts(0.0)) {
   limit_ = by_step_
                ? analytic::spectral_limit(
@@ -104,8 +104,7 @@ Prediction::Prediction(const Scene& scene, std::string_view integrator)
 std::vector<analytic::LinearSystem> Prediction::parts(double step) const {
   std::vector<analytic::LinearSystem> bound;
   for (const analytic::LinearSystem& part : analytic::symmetric_parts(
-           scene_, analytic::linearised(scene_, prestress_of(scene_),
-                                        {.refining = scheme_.refines ? step : 0.0, .friction = step})))
+           scene_, analytic::linearised(scene_, prestress_of(scene_), {scheme_.weakens, step})))
     bound.push_back(analytic::without_free_motions(part));
   return bound;
 }

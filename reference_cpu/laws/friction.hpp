@@ -18,12 +18,16 @@ struct SlipFriction {
   double slope_per_root_mass = 0.0;  ///< N s/(m √kg)
   bool with_dashpot = false;
 
+  /// Static force over slip speed, N s/m.
+  double per_speed(double eta, double root_mass) const {
+    return slope + slope_per_root_mass * root_mass + (with_dashpot ? eta : 0.0);
+  }
+
   /// On body 2, from the slip velocity of body 2 over body 1 (E8: its unit vector, one minus).
   Vec3 force(const Vec3& slip, double normal_force, double eta, double root_mass) const {
     const double speed = slip.norm();
     if (speed == 0.0) return Vec3::Zero();
-    const double per_speed = slope + slope_per_root_mass * root_mass + (with_dashpot ? eta : 0.0);
-    const double magnitude = std::min(per_speed * speed, coefficient * std::abs(normal_force));
+    const double magnitude = std::min(per_speed(eta, root_mass) * speed, coefficient * std::abs(normal_force));
     return slip * (-magnitude / speed);
   }
 };

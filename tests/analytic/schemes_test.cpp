@@ -54,7 +54,38 @@ struct Stepped {
     v = half + 0.5 * h * a;
   }
 
+  /// C and D as they are left once each dashpot has had its own say.
+  void implicit_verlet(bool first) {
+    if (first) a = force(v, 0.0) - D * v;
+    half = v + 0.5 * h * a;
+    x += h * half;
+    s += h * half;
+    const Vector2d springs = -K * x - H * s, foreseen = half + 0.5 * h * springs;
+    a = springs - C * foreseen - D * ((Matrix2d::Identity() + 0.5 * h * D).inverse() * foreseen);
+    v = half + 0.5 * h * a;
+  }
+
+  void pefrl() {
+    const double xi = 0.1786178958448091, lambda = -0.2123418310626054, chi = -0.06626458266981849;
+    const auto drift = [&](double share) {
+      x += share * h * v;
+      s += share * h * v;
+    };
+    const auto kick = [&](double share) { v += share * h * (force(v, 0.0) - D * v); };
+    drift(xi);
+    kick(0.5 - lambda);
+    drift(chi);
+    kick(lambda);
+    drift(1.0 - 2.0 * (chi + xi));
+    kick(lambda);
+    drift(chi);
+    kick(0.5 - lambda);
+    drift(xi);
+  }
+
   void step(std::string_view scheme, bool first) {
+    if (scheme == "velocity_verlet_implicit") return implicit_verlet(first);
+    if (scheme == "pefrl") return pefrl();
     if (scheme == "euler_trapezoid") return trapezoid(false, first);
     if (scheme == "euler_trapezoid_implicit_drag") return trapezoid(true, first);
     if (scheme == "leapfrog_verlet") return leapfrog(first);
@@ -65,7 +96,8 @@ struct Stepped {
   VectorXd state(std::string_view scheme) const {
     VectorXd all(8);
     if (scheme.starts_with("euler")) return (all << x, h * v, s, 0.0, 0.0).finished().head(6);
-    if (scheme == "velocity_verlet" || scheme == "leapfrog_verlet")
+    if (scheme == "pefrl") return (all << x, h * v, 0.0, 0.0, 0.0, 0.0).finished().head(4);
+    if (scheme == "velocity_verlet" || scheme == "leapfrog_verlet" || scheme == "velocity_verlet_implicit")
       return (all << x, h * half, 0.0, 0.0, 0.0, 0.0).finished().head(4);
     return (all << x, h * half, h * h * a_before, 0.0, 0.0).finished().head(6);
   }
@@ -89,7 +121,9 @@ TEST_P(LinearSchemes, TakeTheStateWhereTheRecurrenceTakesIt) {
   }
 }
 
-LinearSystem one_body(const LinearContact& contact) {
+LinearSystem one_body(LinearContact contact, const StepOf& step = {}) {
+  if (step.weakening == Weakening::by_itself)
+    contact.damping /= 1.0 + 0.5 * step.step * contact.damping / contact.mass;
   const auto number = [](double value) { return Eigen::MatrixXd::Constant(1, 1, value); };
   return {number(contact.stiffness / contact.mass), number(contact.remembered / contact.mass),
           number(contact.damping / contact.mass), number(contact.drag_rate)};
@@ -102,7 +136,14 @@ TEST_P(LinearSchemes, HaveInClosedFormTheLimitOfTheirMatrix) {
         LinearContact{0.5, 2e4, 0.0, 300.0, 100.0}, LinearContact{0.5, 0.0, 2e4, 0.0, 0.0},
         LinearContact{0.5, 0.0, 2e4, 25.0, 0.0}, LinearContact{0.5, 0.0, 2e4, 300.0, 0.0}}) {
     const double closed = pair_limit(GetParam(), contact);
-    const double spectral = spectral_limit(GetParam(), {one_body(contact)});
+    const Weakening itself =
+        GetParam().weakens == Weakening::by_itself ? Weakening::by_itself : Weakening::none;
+    const double spectral = spectral_limit(
+        GetParam(),
+        [&](double h) {
+          return std::vector{one_body(contact, {itself, h})};
+        },
+        undamped_limit({one_body(contact)}));
     EXPECT_NEAR(spectral, closed, 2e-5 * closed) << contact.stiffness << " " << contact.damping;
   }
 }
@@ -137,6 +178,40 @@ INSTANTIATE_TEST_SUITE_P(, LinearSchemes, testing::ValuesIn(linear_schemes()),
 TEST(LinearScheme, IsKnownOfEveryIntegrator) {
   for (const auto& [name, integrator] : integrator_names) EXPECT_EQ(linear_scheme(integrator).name, name);
   EXPECT_THROW(linear_scheme("runge_kutta"), InputRefused);
+}
+
+TEST(LinearScheme, WithImplicitDashpotsHasTheUndampedLimitHoweverStrongADashpotIs) {
+  const auto& scheme = linear_scheme("velocity_verlet_implicit");
+  for (const double damping : {0.0, 20.0, 2000.0, 2e6}) {
+    const LinearContact contact{1.0, 100.0, 0.0, damping, 0.0};
+    EXPECT_DOUBLE_EQ(pair_limit(scheme, contact), 0.2);
+    for (const double h : {0.199, 0.201}) {
+      const auto system = one_body(contact, {Weakening::by_itself, h});
+      EXPECT_EQ(growth_a_step(scheme, {system}, h) <= 1.0 + 1e-9, h < 0.2) << damping;
+    }
+  }
+}
+
+// Two contacts opposite each other, dashpots alone: each takes what it would leave by itself, and both
+// together turn the velocity round where c = η h/(2m) is 1 (stability.12).
+TEST(LinearScheme, WithImplicitDashpotsIsBoundedWhereABodyHasSeveral) {
+  const auto& scheme = linear_scheme("velocity_verlet_implicit");
+  for (const double c : {0.9, 1.1}) {
+    const double h = 0.01, eta = 2.0 * c / h;
+    LinearSystem both = one_body({1.0, 1.0, 0.0, eta, 0.0}, {Weakening::by_itself, h});
+    both.damping *= 2.0;
+    EXPECT_EQ(growth_a_step(scheme, {both}, h) <= 1.0, c < 1.0);
+  }
+}
+
+TEST(LinearScheme, OfFourthOrderGivesWayWhereItsTraceSays) {
+  const auto& scheme = linear_scheme("pefrl");
+  EXPECT_NEAR(std::pow(pair_limit(scheme, {1.0, 1.0, 0.0, 0.0, 0.0}), 2), 8.9368, 5e-4);
+  EXPECT_NEAR(pair_limit(scheme, {1.0, 1e-8, 0.0, 1.0, 0.0}), 2.3413, 5e-4);
+  for (double damping = 1e-3; damping < 1e3; damping *= 1.3) {
+    const LinearContact contact{1.0, 1.0, 0.0, damping, 0.0};
+    EXPECT_LE(flip_limit(scheme, contact), pair_limit(scheme, contact)) << damping;
+  }
 }
 
 /// The recurrence itself, so that the closed form is not held against its own matrix alone.

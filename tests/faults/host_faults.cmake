@@ -173,3 +173,15 @@ host_fault(OnsetImpulseHalved FILE reference_cpu/onset/events.cpp CASE onset_nor
 host_fault(OnsetWithoutItsShift FILE reference_cpu/onset/events.cpp CASE onset_normal
   PRINTED "body.position += shift * body.inverse_mass"
   PLANTED "body.position += 0.0 * shift")
+host_fault(DashpotThatSeesNothingOfItself FILE reference_cpu/implicit_touch.hpp CASE implicit_settling
+  PRINTED "1.0 + half_step_ * damping * inverse_mass"
+  PLANTED "1.0")
+host_fault(ImplicitSlipOfABodyThatCannotTurn FILE reference_cpu/implicit_touch.hpp CASE oblique_schemes OPENCL
+  PRINTED "arms.second * arms.second * spins[meet.second].inverse_inertia"
+  PLANTED "0.0 * arms.second")
+host_fault(NegativeKicksTakenForwards FILE reference_cpu/reference_run.cpp CASE pefrl_pressed
+  PRINTED "part.kick * step"
+  PLANTED "std::abs(part.kick) * step")
+host_fault(SpringWithoutTheDriftToTheBoundary FILE reference_cpu/reference_run.cpp CASE oblique_schemes OPENCL
+  PRINTED "(lacking + part.drift) * step"
+  PLANTED "part.drift * step")

@@ -164,6 +164,15 @@ inline constexpr std::array kernel_faults{
                 "o.impulse = mass * f.gain", "onset_normal"},
     KernelFault{"EndingNotCorrected", "onset_corrected.cl", "(impulse - half_step * b.force)",
                 "(impulse - impulse)", "onset_normal"},
+    KernelFault{"DashpotTwiceAsImplicit", "dashpots_implicit.cl", "time.y * damping", "time.x * damping",
+                "implicit_settling"},
+    KernelFault{"DashpotsTakeTheMiddleOfTheStep", "velocity_verlet_implicit.cl",
+                "middle.xyz + w.accelerations[i].xyz * w.constants->time.y", "middle.xyz",
+                "implicit_settling"},
+    KernelFault{"SpringWithoutTheDriftToTheBoundary", "stages_composed.cl", "2 * (real)XI", "(real)XI",
+                "oblique_schemes"},
+    KernelFault{"KicksInTheWrongOrder", "pefrl.cl", "kick_share(stage - 1)", "kick_share(stage)",
+                "pefrl_pressed"},
 };
 
 /// Of every kind one or two, for every day; tests/faults/score.py plants all.

@@ -59,8 +59,8 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Conservation,
                          ::testing::Values(Integrator::euler_trapezoid,
                                            Integrator::euler_trapezoid_implicit_drag,
                                            Integrator::leapfrog_verlet, Integrator::velocity_verlet,
-                                           Integrator::velocity_verlet_predicted,
-                                           Integrator::onset_corrected),
+                                           Integrator::velocity_verlet_predicted, Integrator::onset_corrected,
+                                           Integrator::velocity_verlet_implicit, Integrator::pefrl),
                          name_of_case);
 
 TEST(Digest, ChangesWithTheLastBitOfAPosition) {

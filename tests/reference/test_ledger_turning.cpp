@@ -133,8 +133,8 @@ INSTANTIATE_TEST_SUITE_P(Integrators, TurningLedgerOf,
                          ::testing::Values(Integrator::euler_trapezoid,
                                            Integrator::euler_trapezoid_implicit_drag,
                                            Integrator::leapfrog_verlet, Integrator::velocity_verlet,
-                                           Integrator::velocity_verlet_predicted,
-                                           Integrator::onset_corrected),
+                                           Integrator::velocity_verlet_predicted, Integrator::onset_corrected,
+                                           Integrator::velocity_verlet_implicit),
                          name_of_case);
 
 }  // namespace

@@ -154,8 +154,8 @@ INSTANTIATE_TEST_SUITE_P(Integrators, WallLedgerOf,
                          ::testing::Values(Integrator::euler_trapezoid,
                                            Integrator::euler_trapezoid_implicit_drag,
                                            Integrator::leapfrog_verlet, Integrator::velocity_verlet,
-                                           Integrator::velocity_verlet_predicted,
-                                           Integrator::onset_corrected),
+                                           Integrator::velocity_verlet_predicted, Integrator::onset_corrected,
+                                           Integrator::velocity_verlet_implicit),
                          name_of_case);
 
 /// Rocks about x in a floor without friction, on a rolling spring far below its limit: k_r = 8e4 · 0.05².

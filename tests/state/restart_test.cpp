@@ -127,6 +127,15 @@ INSTANTIATE_TEST_SUITE_P(Scenes, DeviceRestart,
                                            "rotating_gravity"),
                          [](const auto& param) { return param.param; });
 
+TEST(SchemeRestart, ChangesNoBitWhereForcesAreEvaluatedSeveralTimesAStep) {
+  for (const Integrator integrator : {Integrator::velocity_verlet_implicit, Integrator::pefrl}) {
+    Scene scene = varied_scene("hertz_and_springs", 2);
+    scene.run.integrator = integrator;
+    expect_same_bits(reference_subject, scene, {0, 1, 37, 80}, 120);
+    for (const Subject& subject : device_subjects()) expect_same_bits(subject, scene, {0, 1, 37, 80}, 120);
+  }
+}
+
 TEST(DenseRestart, ChangesNoBitInEitherOrder) {
   Scene scene = crowded_scene({.across = 7, .layers = 7});
   for (const Precision precision : {Precision::single_precision, Precision::mixed_precision}) {
