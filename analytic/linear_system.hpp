@@ -39,7 +39,8 @@ enum class Prestress { kept, left_out };
 /// (stability.9), or as velocity_verlet_implicit by what it does itself (stability.12).
 enum class Weakening { none, by_spring, by_itself };
 
-/// What depends on the step, s: how far a dashpot is weakened, and friction that holds the step itself (friction.2).
+/// What depends on the step, s: how far a dashpot is weakened, and friction that holds the step itself
+/// (friction.2).
 struct StepOf {
   Weakening weakening = Weakening::none;
   double step = 0.0;

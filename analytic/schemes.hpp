@@ -28,7 +28,7 @@ struct LinearScheme {
   FlipCondition flip;
   bool gains = false;  ///< stable below 2 (η + m/τ)/k only, since each step adds energy (integrators.7)
   Weakening weakens = Weakening::none;  ///< dashpots: linearised() knows how
-  bool composed = false;                ///< of several evaluations: between stable steps may lie unstable ones
+  bool composed = false;  ///< of several evaluations: between stable steps may lie unstable ones
 };
 
 /// One contact: effective mass, spring, spring that remembers, dashpot, drag rate.

@@ -142,14 +142,9 @@ std::vector<std::string> contact_files(const BuildOptions& o) {
     return {"contact_point.cl", "stretch_held.cl", "dashpots_explicit.cl", "onset_none.cl", "contact.cl"};
   if (!o.corrects())
     return {"contact_point.cl", "stretch_middle.cl", "dashpots_explicit.cl", "onset_none.cl", "contact.cl"};
-  return {"contact_point.cl",
-          "stretch_middle.cl",
-          "dashpots_explicit.cl",
-          "onset_flow.cl",
-          "onset_linear.cl",
-          o.hertz ? "onset_hertz.cl" : "onset_by_linear.cl",
-          "onset_corrected.cl",
-          "contact.cl"};
+  return {"contact_point.cl",   "stretch_middle.cl", "dashpots_explicit.cl",
+          "onset_flow.cl",      "onset_linear.cl",   o.hertz ? "onset_hertz.cl" : "onset_by_linear.cl",
+          "onset_corrected.cl", "contact.cl"};
 }
 
 /// How often forces are evaluated in a step, and for how long springs are stretched before.
@@ -237,8 +232,7 @@ std::vector<std::string> kernel_files(const BuildOptions& o, bool pocl) {
               : std::vector<std::string>{"scan.cl", "sorting.cl", "zones.cl", "pairs.cl", "steps.cl"};
   std::vector<std::string> files = number_files(o.precision, pocl);
   files.push_back(velocity_file(o.precision));
-  for (const auto& part :
-       {stage_files(o), law_files(o), detector_files(o), fields, motion_files(o), path})
+  for (const auto& part : {stage_files(o), law_files(o), detector_files(o), fields, motion_files(o), path})
     files.insert(files.end(), part.begin(), part.end());
   if (o.remembers() && !o.small) files.push_back("carry.cl");
   if (o.implicit_dashpots() && !o.small) files.push_back("springs_first.cl");

@@ -27,7 +27,8 @@ struct SlipFriction {
   Vec3 force(const Vec3& slip, double normal_force, double eta, double root_mass) const {
     const double speed = slip.norm();
     if (speed == 0.0) return Vec3::Zero();
-    const double magnitude = std::min(per_speed(eta, root_mass) * speed, coefficient * std::abs(normal_force));
+    const double magnitude =
+        std::min(per_speed(eta, root_mass) * speed, coefficient * std::abs(normal_force));
     return slip * (-magnitude / speed);
   }
 };
