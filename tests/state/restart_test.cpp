@@ -112,7 +112,7 @@ TEST(Restart, ChangesNoBitOfTheReferenceInItsFastOrder) {
 class DeviceRestart : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(DeviceRestart, ChangesNoBitOnAnyPathOrOfTheLedger) {
-  std::vector<std::int64_t> stops = random_steps(5, 120);
+  std::vector<std::int64_t> stops = random_steps(20, 120);
   stops.push_back(0);
   for (const Subject& subject : device_subjects())
     expect_same_bits(subject, varied_scene(GetParam(), 2), stops, 120, with_ledger);
@@ -124,12 +124,21 @@ INSTANTIATE_TEST_SUITE_P(Scenes, DeviceRestart,
                                            "rotating_gravity"),
                          [](const auto& param) { return param.param; });
 
+TEST(DenseRestart, ChangesNoBitInDoublePrecisionInEitherOrder) {
+  Scene scene = crowded_scene({.across = 7, .layers = 7});
+  for (const SumOrder order : {SumOrder::fast, SumOrder::canonical}) {
+    scene.run.order = order;
+    expect_same_bits(on_path(Precision::double_precision, Path::dense, "dense in double"), scene,
+                     random_steps(20, crowd_steps), crowd_steps);
+  }
+}
+
 TEST(DenseRestart, ChangesNoBitInEitherOrder) {
   Scene scene = crowded_scene({.across = 7, .layers = 7});
   const Subject dense = on_path(Precision::single_precision, Path::dense, "dense");
   for (const SumOrder order : {SumOrder::fast, SumOrder::canonical}) {
     scene.run.order = order;
-    std::vector<std::int64_t> stops = random_steps(10, crowd_steps);
+    std::vector<std::int64_t> stops = random_steps(20, crowd_steps);
     stops.push_back(0);
     expect_same_bits(dense, scene, stops, crowd_steps);
   }
