@@ -115,7 +115,7 @@ TEST(Restart, ChangesNoBitOfTheReferenceInItsFastOrder) {
 class DeviceRestart : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(DeviceRestart, ChangesNoBitOnAnyPathOrOfTheLedger) {
-  std::vector<std::int64_t> stops = random_steps(5, 120);
+  std::vector<std::int64_t> stops = random_steps(20, 120);
   stops.push_back(0);
   for (const Subject& subject : device_subjects())
     expect_same_bits(subject, varied_scene(GetParam(), 2), stops, 120, with_ledger);
@@ -138,11 +138,11 @@ TEST(SchemeRestart, ChangesNoBitWhereForcesAreEvaluatedSeveralTimesAStep) {
 
 TEST(DenseRestart, ChangesNoBitInEitherOrder) {
   Scene scene = crowded_scene({.across = 7, .layers = 7});
-  for (const Precision precision : {Precision::single_precision, Precision::mixed_precision}) {
+  for (const Precision precision : opencl::every_precision) {
     const Subject dense = on_path(precision, Path::dense, std::string(name_of(precision)) + "_dense");
     for (const SumOrder order : {SumOrder::fast, SumOrder::canonical}) {
       scene.run.order = order;
-      std::vector<std::int64_t> stops = random_steps(10, crowd_steps);
+      std::vector<std::int64_t> stops = random_steps(20, crowd_steps);
       stops.push_back(0);
       expect_same_bits(dense, scene, stops, crowd_steps);
     }
