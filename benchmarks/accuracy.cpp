@@ -147,11 +147,17 @@ void add_unsupported(const AccuracyScene& scene, const std::string& key, Integra
           [because](benchmark::State&) { throw InputRefused("unsupported: " + because); });
 }
 
-/// Kernels are compiled for every scheme and precision. In scenes of many that takes longer than all that a
-/// quick look measures, so there it takes one precision.
+/// Whether its kernels are those of every gas of pairs that slide over nothing and stick to nothing.
+bool is_plain(const AccuracyScene& of) {
+  return of.gas && !of.gas->hertz && !of.gas->oblique && !of.gas->cohesive && !of.gas->drag;
+}
+
+/// Kernels are compiled for every scheme, precision and kind of scene, which takes longer than all that a
+/// quick look measures: it compares the precisions where a program serves several scenes, and takes one
+/// elsewhere.
 std::vector<std::string> engines_in(const Settings& settings, const AccuracyScene& of) {
   std::vector<std::string> engines = settings.engines;
-  if (!settings.quick || of.gas) return engines;
+  if (!settings.quick || is_plain(of)) return engines;
   bool has_device = false;
   std::erase_if(engines, [&](const std::string& engine) {
     return engine.starts_with("opencl") && std::exchange(has_device, true);
