@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <type_traits>
+
 #include "reference_cpu/onset/boundary_step.hpp"
 #include "reference_cpu/onset/partial_contact.hpp"
 #include "reference_cpu/touch.hpp"
@@ -40,9 +42,8 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
                        double effective_mass) {
     Vec3 force = Vec3::Zero();
     if (meet.overlap > 0.0)
-      force = contact(
-          laws, meet,
-          {meet.normal, meet.overlap, relative_velocity, effective_mass, this->effective_radius(meet)});
+      force = contact(laws, meet,
+                      {meet.normal, meet.overlap, relative_velocity, effective_mass, radius_for(laws, meet)});
     if constexpr (cohesive) force += attraction(laws, meet, this->log_);
     return force;
   }
@@ -51,6 +52,15 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   void end(const PairLaws& laws, const Encounter& meet, double effective_mass, ContactSprings springs);
 
  private:
+  /// Only linear springs and friction without memory, so that nothing but the touch is remembered.
+  static constexpr bool simple = std::is_same_v<Memory, Touching>;
+
+  /// Where a law asks for it: it is a division, and simple laws don't.
+  double radius_for(const PairLaws& laws, const Encounter& meet) const {
+    if constexpr (simple) return 0.0;
+    return laws.hertz.present() || laws.rolling.present() ? this->effective_radius(meet) : 0.0;
+  }
+
   Vec3 contact(const PairLaws& laws, const Encounter& meet, ContactPoint point) {
     TorqueArms arms;
     if constexpr (turning) {
@@ -61,8 +71,32 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
       if (!laws.remembers()) return last(laws, meet, arms, point, {});
     const ContactSprings* kept = memory_.meet(this->memory_key(meet), meet.second);
     if constexpr (corrects)
-      if (!kept && now_.started) return begin(laws, meet, arms, point);
+      if (!kept && now_.started) [[unlikely]]
+        return begin(laws, meet, arms, point);
+    if constexpr (simple && corrects) return last_simple(laws, meet, point);
     return last(laws, meet, arms, point, kept ? *kept : ContactSprings{});
+  }
+
+  /// As last() where that is simple: half of its instructions.
+  Vec3 last_simple(const PairLaws& laws, const Encounter& meet, const ContactPoint& point) {
+    const double root_mass = std::sqrt(point.effective_mass);
+    const double eta = laws.normal.damping_for(root_mass), stiffness = laws.normal.stiffness;
+    const double separating = point.relative_velocity.dot(point.normal);
+    if (laws.normal.no_tension && now_.started) [[unlikely]]
+      let_go(laws, meet, point);
+    const double refined = eta * refined_share(stiffness, eta, inverse_mass(meet), now_.step);
+    ContactForce force{laws.normal.force(point.overlap, separating, refined), Vec3::Zero()};
+    if (laws.friction.coefficient != 0.0)
+      force.friction = laws.friction.force(point.relative_velocity - separating * point.normal, force.normal,
+                                           eta, root_mass);
+    this->log_.contact(laws, meet, {}, point, force, {});
+    memory_.keep(this->memory_key(meet), meet.second, {});
+    return force.normal * meet.normal + force.friction;
+  }
+
+  [[gnu::noinline]] void let_go(const PairLaws& laws, Encounter meet, ContactPoint point) {
+    if (may_let_go(laws, meet, point, response(laws, point, std::sqrt(point.effective_mass))))
+      pass_zero(laws, meet, {}, point, {});
   }
 
   Vec3 last(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
@@ -73,8 +107,11 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     if constexpr (corrects) refine(laws, meet, arms, point, now);
     double elapsed = this->history_.elapsed();
     if constexpr (corrects)
-      if (now_.started && may_let_go(laws, meet, point, now))
-        elapsed = pass_zero(laws, meet, arms, point, springs);
+      if (now_.started && may_let_go(laws, meet, point, now)) {
+        const Crossing crossing = pass_zero(laws, meet, arms, point, springs);
+        elapsed = crossing.elapsed;
+        springs = crossing.springs;
+      }
     const bool whole_step = elapsed == now_.step;
     const auto moved_by = [&](const Vec3& slip) -> Vec3 {
       return whole_step ? moved_in_step(meet, arms) : (slip * elapsed).eval();
@@ -103,9 +140,13 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   }
 
   /// Where the normal force passes zero a spring is cut back to nothing, and a contact that cannot pull has
-  /// acted for a part of the step. For how long the spring is stretched since, s.
-  [[gnu::noinline]] double pass_zero(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
-                                     const ContactPoint& point, ContactSprings& springs);
+  /// acted for a part of the step. Rare, and given copies as begin() is.
+  struct Crossing {
+    double elapsed;  ///< for which the spring is stretched since, s
+    ContactSprings springs;
+  };
+  [[gnu::noinline]] Crossing pass_zero(const PairLaws& laws, Encounter meet, TorqueArms arms,
+                                       ContactPoint point, ContactSprings springs);
 
   static double stiffness_now(const PairLaws& laws, const ContactPoint& point, const ContactResponse& now) {
     return laws.hertz.present() ? 1.5 * now.push / point.overlap : laws.normal.stiffness;
@@ -198,9 +239,9 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     return spring;
   }
 
-  /// Rare, and kept out of the loops that are flattened.
-  [[gnu::noinline]] Vec3 begin(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
-                               ContactPoint point) {
+  /// Rare, and kept out of the loops that are flattened. Given copies, since what it could see through a
+  /// reference every contact would have to hold in memory.
+  [[gnu::noinline]] Vec3 begin(const PairLaws& laws, Encounter meet, TorqueArms arms, ContactPoint point) {
     const Vec3 slip = slip_at(point);
     const double rate = -half_step_velocity(meet, arms).dot(meet.normal);
     const auto [state, push] = PartialContact(laws, point, now_.step).beginning({meet.overlap, rate});

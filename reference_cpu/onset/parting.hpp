@@ -47,8 +47,9 @@ void BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::add_ending(cons
                                                                             const TorqueArms& arms,
                                                                             const BeforeParting& before,
                                                                             ContactSprings springs) {
-  // Laid into the tangent plane of now, as everything about the contact is.
+  // Laid into the tangent plane of now, as everything about the contact is; as long as it was then.
   if (laws.spring.present()) springs.displacement = laws.spring.turned(springs.displacement, meet.normal);
+  springs.overlap = 0.0;
   const ContactPoint& point = before.point;
   const double step = now_.step, half = 0.5 * step;
   const double rate = -point.relative_velocity.dot(point.normal);
@@ -69,27 +70,27 @@ void BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::add_ending(cons
 }
 
 template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
-double BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::pass_zero(const PairLaws& laws,
-                                                                             const Encounter& meet,
-                                                                             const TorqueArms& arms,
-                                                                             const ContactPoint& point,
-                                                                             ContactSprings& springs) {
+auto BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::pass_zero(const PairLaws& laws,
+                                                                           Encounter meet, TorqueArms arms,
+                                                                           ContactPoint point,
+                                                                           ContactSprings springs)
+    -> Crossing {
   const double usual = this->history_.elapsed();
   const BeforeParting before = before_parting(laws, meet, arms, point.effective_mass);
   const auto force_of = [&](const ContactPoint& at) {
     return PartialContact(laws, at, now_.step).force_at({at.overlap, -at.relative_velocity.dot(at.normal)});
   };
   const double then = force_of(before.point), now = force_of(point);
-  if ((then > 0.0) == (now > 0.0)) return usual;
+  if ((then > 0.0) == (now > 0.0)) return {usual, springs};
   if (laws.normal.no_tension && then > 0.0) add_ending(laws, meet, arms, before, springs);
-  if (!laws.spring.present()) return usual;
+  if (!laws.spring.present()) return {usual, springs};
   springs.rolling_torque.setZero();
   springs.displacement.setZero();
   if (laws.spring.limit == CoulombLimit::spring_and_dashpot) {
     const ShearResponse shear = response(laws, point, std::sqrt(point.effective_mass)).shear;
     springs.displacement = slip_at(point) * (-shear.damping / shear.stiffness);
   }
-  return now_.step * now / (now - then);
+  return {now_.step * now / (now - then), springs};
 }
 
 /// What is left of rolling resistance, less what the plain scheme has taken of it. A constant torque falls
