@@ -16,13 +16,18 @@ constexpr std::size_t most_planes = 30;
 /// What the unit of force is made for: DenseImager::sum_unit.
 constexpr double most_friction = 4.0;
 
+bool predicts(const Scene& scene) {
+  return scene.run.integrator == Integrator::velocity_verlet_predicted ||
+         scene.run.integrator == Integrator::onset_corrected;
+}
+
 Support dynamics_supported(const Scene& scene, const Request& request) {
   if (request.ledger) return Support::no("the ledger is kept by the zoned path");
   if (!std::holds_alternative<ConstantGravity>(scene.gravity)) return Support::no("gravity is not constant");
   if (!std::holds_alternative<NoFlow>(scene.flow)) return Support::no("there is a fluid");
   if (scene.orientation != OrientationUpdate::none) return Support::no("orientations are asked for");
   if (!scene.remembered.empty()) return Support::no("contacts remember something at the start");
-  if (scene.run.integrator != Integrator::velocity_verlet &&
+  if (!predicts(scene) && scene.run.integrator != Integrator::velocity_verlet &&
       scene.run.integrator != Integrator::leapfrog_verlet)
     return Support::no("the integrator is not of Verlet's kind");
   return {};
@@ -104,6 +109,8 @@ DenseOptions dense_options(const Scene& scene, Precision precision) {
     o.history_variant = remembers | (pair.history.limit == CoulombLimit::spring ? limit_on_spring : 0) |
                         (pair.history.arm == TorqueArm::overlap ? arm_shortened : 0) |
                         (pair.history.turn == SpringTurn::project ? turn_projects : 0);
+  o.predicted = predicts(scene);
+  o.corrected = scene.run.integrator == Integrator::onset_corrected;
   o.varied = std::any_of(scene.particles.begin(), scene.particles.end(),
                          [&](const Particle& p) { return p.fixed || p.diameter != any.diameter; });
   return o;
@@ -124,6 +131,8 @@ std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
           "dense_box.cl",
           o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl",
           "dense_contact.cl",
+          "dense_flow.cl",
+          "dense_onset.cl",
           "dense_springs.cl",
           "dense_pairs.cl",
           "dense_walls.cl",
@@ -141,7 +150,8 @@ std::string dense_definitions(const DenseOptions& o) {
   return set("PERIODIC_X", 0) + set("PERIODIC_Y", 0) + set("PERIODIC_Z", 0) + set("MANY_MATERIALS", 0) +
          set("FRICTION", o.friction) + set("HISTORY", o.history) + set("ROTATION", o.rotation) +
          set("PLANES", o.planes) + set("VARIED", o.varied) + set("HISTORY_VARIANT", o.history_variant) +
-         set("QUARTERS", quarters_of(o)) + set("MOST_PARTNERS", o.most_partners) + set("WINDOW", window_size);
+         set("PREDICTED", o.predicted) + set("CORRECTED", o.corrected) + set("QUARTERS", quarters_of(o)) +
+         set("MOST_PARTNERS", o.most_partners) + set("WINDOW", window_size);
 }
 
 }  // namespace grainproof::opencl

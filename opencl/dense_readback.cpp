@@ -127,10 +127,14 @@ std::vector<ContactMemory> DenseRun::memories() {
   if (!options_.history || list_.slots() == 0) return {};
   const auto slots = static_cast<std::size_t>(list_.slots());
   const std::size_t real = options_.precision == Precision::double_precision ? 8 : 4;
-  std::vector<cl_int> marks(slots);
+  const std::size_t words = mark_words(options_);
+  std::vector<cl_int> marks(slots * words);
   Bytes springs(3 * static_cast<std::size_t>(list_.row_room()) * group() * real);
   const cl::Buffer on_device = workshop_->room(springs.size()), marked = workshop_->upload(bytes_of(marks));
+  // Whoever only looks takes no rows.
+  const DenseSignals signals = read_signals();
   report(on_device, marked, true);
+  workshop_->write(signals_, std::as_bytes(std::span(&signals, 1)));
   workshop_->read(on_device, springs);
   workshop_->read(marked, std::as_writable_bytes(std::span(marks)));
   const DenseLists lists = read_lists();
@@ -142,8 +146,8 @@ std::vector<ContactMemory> DenseRun::memories() {
       if (lists.heads[g].s[2] >> k & 1) walls.push_back(near.planes[k].index);
     for (std::size_t k = 0; k < static_cast<std::size_t>(lists.heads[g].s[1]); ++k) {
       const std::size_t slot = static_cast<std::size_t>(lists.heads[g].s[0]) + k;
-      if ((marks[slot] & 1) == 0) continue;
-      const std::size_t row = 3 * (static_cast<std::size_t>(marks[slot]) / 2 - 1);
+      if ((marks[slot * words] & 1) == 0) continue;
+      const std::size_t row = 3 * (static_cast<std::size_t>(marks[slot * words]) / 2 - 1);
       for (std::size_t lane = 0; lane < group(); ++lane) {
         Vec3 v;
         for (std::size_t axis = 0; axis < 3; ++axis) {
