@@ -76,17 +76,15 @@ MatrixXd verlet(const LinearSystem& system, double h) {
   return stacked(Row(x + new_half), new_half);
 }
 
-/// Position, half-step velocity times step, acceleration before it times step squared, springs half a step
-/// after that: each is stretched half by the velocity predicted for its force and half by the one before.
+/// Position, half-step velocity times step, acceleration before it times step squared. Springs are positions
+/// here too: only dashpots and drag see the predicted velocity.
 MatrixXd predicted_verlet(const LinearSystem& system, double h) {
-  const Parts part{system.size(), remembers(system) ? 4 : 3};
+  const Parts part{system.size(), 3};
   const Row x = part(0), half = part(1);
   const Row predicted = half + 0.5 * part(2);
-  Row a = -h * h * system.stiffness * x - h * (system.damping + system.drag) * predicted;
-  if (part.count == 3) return stacked(Row(x + half + a), Row(half + a), a);
-  const Row springs = part(3) + 0.5 * predicted;
-  a -= h * h * system.remembered * springs;
-  return stacked(Row(x + half + a), Row(half + a), a, Row(springs + 0.5 * predicted));
+  const Row a =
+      -h * h * (system.stiffness + system.remembered) * x - h * (system.damping + system.drag) * predicted;
+  return stacked(Row(x + half + a), Row(half + a), a);
 }
 
 double over(double numerator, double denominator) {
@@ -98,9 +96,9 @@ constexpr std::array schemes{
     LinearScheme{"euler_trapezoid_implicit_drag", euler_trapezoid_implicit_drag, {0.0, 1.0, 2.0, -1.0}, true},
     LinearScheme{"leapfrog_verlet", verlet, {1.0, 1.0, 2.0, 1.0}},
     LinearScheme{"velocity_verlet", verlet, {1.0, 1.0, 2.0, 1.0}},
-    LinearScheme{"velocity_verlet_predicted", predicted_verlet, {1.0, 0.0, 4.0, 1.0}, false, true},
+    LinearScheme{"velocity_verlet_predicted", predicted_verlet, {1.0, 1.0, 4.0, 1.0}},
     // The same while no contact begins or ends, but for weaker dashpots, which only widens the first limit.
-    LinearScheme{"onset_corrected", predicted_verlet, {1.0, 0.0, 4.0, 1.0}, false, true, true},
+    LinearScheme{"onset_corrected", predicted_verlet, {1.0, 1.0, 4.0, 1.0}, false, true},
 };
 
 }  // namespace
@@ -122,10 +120,6 @@ double pair_limit(const LinearScheme& scheme, const LinearContact& contact) {
   if (scheme.gains)
     limit =
         std::min(limit, over(2.0 * (contact.damping + contact.mass * contact.drag_rate), contact.stiffness));
-  // Without a dashpot the gain is left to the user: (k_t h²/m)²/8 a step (stability.8).
-  if (scheme.late_springs && contact.remembered > 0.0 && contact.damping > 0.0)
-    limit =
-        std::min(limit, std::cbrt(4.0 * contact.damping * contact.mass / std::pow(contact.remembered, 2)));
   return limit;
 }
 

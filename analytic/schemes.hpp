@@ -26,9 +26,8 @@ struct LinearScheme {
   Eigen::MatrixXd (*step)(const LinearSystem& system, double h);
 
   FlipCondition flip;
-  bool gains = false;  ///< stable below 2 (η + m/τ)/k only, since each step adds energy (integrators.7)
-  bool late_springs = false;  ///< a spring that remembers needs a dashpot, since it adds energy (stability.8)
-  bool refines = false;       ///< dashpots are weakened by what their springs will do: linearised() knows how
+  bool gains = false;    ///< stable below 2 (η + m/τ)/k only, since each step adds energy (integrators.7)
+  bool refines = false;  ///< dashpots are weakened by what their springs will do: linearised() knows how
 };
 
 /// One contact: effective mass, spring, spring that remembers, dashpot, drag rate.
@@ -39,8 +38,7 @@ struct LinearContact {
 /// Largest step that keeps the flip condition; infinity without a limit.
 double flip_limit(const LinearScheme& scheme, const LinearContact& contact);
 
-/// Largest step of one contact in closed form, a bound where `late_springs` decides; 0 where there is none,
-/// infinity without a limit.
+/// Largest step of one contact in closed form; 0 where there is none, infinity without a limit.
 double pair_limit(const LinearScheme& scheme, const LinearContact& contact);
 
 std::span<const LinearScheme> linear_schemes();

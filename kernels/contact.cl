@@ -9,14 +9,14 @@ INLINE Push press(World w, Load* load, ContactPoint c, PairLaw law) {
   real3 rubbing = friction_force(slip, pressing, law, c.root_mass);
   const real3 damped = refined_slip(w, c, slip, law.spring * rise.factor, spring_damping_of(law, c.root_mass, rise));
   const Turnover turnover = c.turnover.since >= 0 ? c.turnover : turnover_of(w, c, law, slip);
-  const Strain strain = {slip, damped, c.normal, pressing, c.overlap, c.root_mass, c.duration, c.ahead, c.share,
-                         turnover};
+  const real3 moved = stretching_slip(w, c, slip) * c.duration;
+  const Strain strain = {moved, damped, c.normal, pressing, c.overlap, c.root_mass, c.share, turnover};
   stretch_spring(&rubbing, c.memory, strain, law, rise, &load->account);
   const real3 torque = torque_of(rubbing, c.arm, c.normal);
   turn_body(&load->turning, torque);
   const real elastic = law.stiffness * rise.factor * c.overlap;
-  const Rolling roll = {c.spin,     c.wall_spin, c.normal, c.radius, elastic, pressing, law.spring * rise.factor,
-                        c.duration, c.ahead,     c.share,  turnover.since, c.memory};
+  const Rolling roll = {c.spin,   c.winding,  c.wall_spin,               c.normal,   c.radius, elastic,
+                        pressing, law.spring * rise.factor, c.duration, c.share,  turnover.since, c.memory};
   resist_rolling(&load->turning, roll, law, &load->account);
   const real3 force = pressing * c.normal + rubbing;
   load->force += force;

@@ -6,6 +6,7 @@ typedef struct {
   real3 velocity;       // of the second's centre relative to the first's, or to the wall's surface
   real3 rolling;        // what turning takes away from the slip
   real3 spin;           // of the second relative to the first
+  real3 winding;        // the same of the spins that wind a spring
   real3 surface;        // velocity of a wall's surface
   real3 wall_spin;
   real overlap;         // δ_b
@@ -13,12 +14,12 @@ typedef struct {
   real root_mass;       // of the effective mass
   real radius;          // effective
   real arm;             // of the torque on the second
-  real duration;        // for which springs are stretched before the force is taken, 0 at the start
-  real ahead;           // and after it, where they are stretched in two
+  real duration;        // for which springs are stretched, 0 at the start
   real foresight;       // time in which the contact changes the rate that its dashpots take; 0 where that is known
   bool starting;        // step 0
   int self, other;      // bodies; below 0 for a wall
   real other_arm;
+  real apart;           // centres of two spheres
   Turnover turnover;
   real inverse_mass;    // effective
   global real4* memory;

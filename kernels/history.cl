@@ -4,8 +4,8 @@
 // two are mirror images to the last bit, since nothing here depends on which body is the second but by a sign.
 // The fourth component of a spring is the overlap of the contact when it was stretched, 0 while the bodies are apart.
 typedef struct {
-  real3 slip, damped, normal;  // what stretches the spring, and what the dashpot takes
-  real pressing, overlap, root_mass, duration, ahead, share;
+  real3 moved, damped, normal;  // what stretches the spring, m, and what the dashpot takes, m/s
+  real pressing, overlap, root_mass, share;
   Turnover turnover;
 } Strain;
 
@@ -60,13 +60,13 @@ INLINE void stretch_spring(real3* rubbing, global real4* memory, Strain s, PairL
   const real damping = spring_damping_of(law, s.root_mass, rise);
   const real3 damped = damping * s.damped;
   const real3 held = turned(kept(*memory, s.overlap, law), s.normal, law);
-  real3 trial = held + s.slip * s.duration;
+  real3 trial = held + s.moved;
   if (s.turnover.since >= 0)
     trial = gripped(held, damping * s.turnover.slip, stiffness, s.turnover.limit, law).spring +
             s.turnover.way;
   const Grip g = gripped(trial, damped, stiffness, law.sliding * magnitude(s.pressing), law);
   *rubbing -= g.force;
-  *memory = (real4)(led_on(g.spring, s.slip, s.ahead), s.overlap);
+  *memory = (real4)(g.spring, s.overlap);
   enter_spring(account, s.share, (real)0.5 * stiffness * product_of(g.spring, g.spring));
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No contact remembers anything.
 typedef struct {
-  real3 slip, damped, normal;
-  real pressing, overlap, root_mass, duration, ahead, share;
+  real3 moved, damped, normal;
+  real pressing, overlap, root_mass, share;
   Turnover turnover;
 } Strain;
 

@@ -13,6 +13,7 @@ typedef struct {
 
 INLINE bool was_touching(const global real4* memory) { return memory->w != 0; }
 
+// The rate of the overlap and the slip in the middle of the step that has led here.
 INLINE real half_rate_of(World w, ContactPoint c, real3* slip) {
   const real3 other = c.other >= 0 ? w.middles[c.other].xyz : c.surface;
   const real3 velocity = w.middles[c.self].xyz - other;
@@ -150,7 +151,7 @@ INLINE void let_go(World w, ContactPoint c, PairLaw law, Before b) {
   const Flow f = flow_of(b.overlap, b.rate, time, law.stiffness, dashpot(law, c.root_mass), mass);
   const real impulse = -mass * f.gain, moment = -mass * f.way + (step - time) * impulse;
   const real pressed = pressing_impulse(b, time, f, law, c.root_mass);
-  const real3 spring = remembered_spring(c.memory, b.overlap, c.normal, law) - b.slip * half_step;
+  const real3 spring = remembered_spring(c.memory, b.overlap, c.normal, law);
   const real3 damped = spring_damping_of(law, c.root_mass, rise) * b.slip;
   const real3 before = friction_force(b.slip, b.force, law, c.root_mass) -
                        gripping(spring, damped, law.spring * rise.factor, law.sliding * magnitude(b.force), law);

@@ -13,14 +13,13 @@ INLINE real3 winding_on_wall(real3 spin, real radius, real overlap, PairLaw law)
 INLINE real3 spring_torque(Rolling r, PairLaw law, Account* account) {
   if (law.rolls != ROLLS_SPRING) return (real3)(0);
   const real stiffness = r.stiffness * r.radius * r.radius;
-  const real about_normal = r.spin.x * r.normal.x + r.spin.y * r.normal.y + r.spin.z * r.normal.z;
-  real3 torque = r.memory[1].xyz - (r.spin - about_normal * r.normal) * (stiffness * r.duration);
-  if (r.since >= 0) torque = (r.spin - about_normal * r.normal) * -(stiffness * r.since);
+  const real about_normal = r.winding.x * r.normal.x + r.winding.y * r.normal.y + r.winding.z * r.normal.z;
+  real3 torque = r.memory[1].xyz - (r.winding - about_normal * r.normal) * (stiffness * r.duration);
+  if (r.since >= 0) torque = (r.winding - about_normal * r.normal) * -(stiffness * r.since);
   const real held = square_root(torque.x * torque.x + torque.y * torque.y + torque.z * torque.z);
   const real most = law.rolling * r.radius * magnitude(r.pressing);
   if (held > most) torque *= most / held;
-  const real3 winding = (r.spin - about_normal * r.normal) * -stiffness;
-  r.memory[1] = (real4)(led_on(torque, winding, r.ahead), 0);
+  r.memory[1] = (real4)(torque, 0);
   const real kept = lesser_of(held, most);
   enter_wound(account, r.share, (real)0.5 * kept * kept / stiffness);
   return torque;

@@ -11,8 +11,7 @@ INLINE void meet_sphere(World w, Load* load, Body self, int j, int slot, int ste
   const PairLaw law = law_between(w, self.material, other.material);
   ContactPoint c;
   c.memory = memory_of_pair(w, slot);
-  c.duration = stretch_time(w, step);
-  c.ahead = w.constants->time.y;
+  c.duration = step > 0 ? w.constants->time.x : 0;
   c.starting = step == 0;
   c.foresight = step > 0 ? w.constants->time.x : 0;
   c.self = self.index;
@@ -30,12 +29,14 @@ INLINE void meet_sphere(World w, Load* load, Body self, int j, int slot, int ste
   c.overlap = overlap_of(s, radii, w.box);
   c.reach_overlap = reaches_farther() ? overlap_of(s, reach, w.box) : 0;
   c.inverse_mass = self.inverse_mass + other.inverse_mass;
+  c.apart = radius + other_radius - c.overlap;
   c.root_mass = effective_root_mass(self.inverse_mass, other.inverse_mass);
   c.radius = radius * other_radius / (radius + other_radius);
   c.arm = torque_arm(radius, c.overlap, law);
   c.other_arm = torque_arm(other_radius, c.overlap, law);
   c.rolling = rolling_of_pair(w, self.index, c.arm, j, c.other_arm, c.normal);
   c.spin = spin_of(w, self.index) - spin_of(w, j);
+  c.winding = winding_spin(w, self.index) - winding_spin(w, j);
   meet(w, load, c, law);
   if (c.overlap > w.constants->limits.x * lesser_of(radius, other_radius))
     blame(w, self.index, step, TOO_DEEP, j, OVERLAPPED_AT);

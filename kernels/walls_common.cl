@@ -4,13 +4,12 @@ INLINE ContactPoint wall_contact(World w, Body self, int slot, int step) {
   ContactPoint c;
   c.root_mass = square_root(1 / self.inverse_mass);
   c.radius = in_metres(radius_of(self.position), w.box);
-  c.duration = stretch_time(w, step);
-  c.ahead = w.constants->time.y;
+  c.duration = step > 0 ? w.constants->time.x : 0;
   c.starting = step == 0;
   c.foresight = step > 0 ? w.constants->time.x : 0;
   c.self = self.index;
   c.other = -1;
-  c.other_arm = 0;
+  c.other_arm = c.apart = 0;
   c.inverse_mass = self.inverse_mass;
   c.memory = memory_of_wall(w, slot);
   c.share = 1;
@@ -28,6 +27,7 @@ INLINE void meet_wall(World w, Load* load, Body self, ContactPoint c, real3 from
   c.arm = torque_arm(c.radius, c.overlap, law);
   c.rolling = rolling_on_wall(w, self.index, c.arm, c.normal);
   c.spin = winding_on_wall(spin_of(w, self.index) - c.wall_spin, c.radius, c.overlap, law);
+  c.winding = winding_on_wall(winding_spin(w, self.index) - c.wall_spin, c.radius, c.overlap, law);
   open_wall(&load->account);
   meet(w, load, c, law);
   close_wall(w, slot, load->account, touched + stand.offset.xyz);

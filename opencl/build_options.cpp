@@ -126,8 +126,9 @@ std::vector<std::string> memory_files(const BuildOptions& o) {
 }
 
 std::vector<std::string> contact_files(const BuildOptions& o) {
-  if (!o.corrects()) return {"contact_point.cl", "onset_none.cl", "contact.cl"};
-  return {"contact_point.cl", "onset_flow.cl", "onset_corrected.cl", "contact.cl"};
+  if (!o.predicts()) return {"contact_point.cl", "stretch_held.cl", "onset_none.cl", "contact.cl"};
+  if (!o.corrects()) return {"contact_point.cl", "stretch_middle.cl", "onset_none.cl", "contact.cl"};
+  return {"contact_point.cl", "stretch_middle.cl", "onset_flow.cl", "onset_corrected.cl", "contact.cl"};
 }
 
 std::vector<std::string> law_files(const BuildOptions& o) {
@@ -140,7 +141,6 @@ std::vector<std::string> law_files(const BuildOptions& o) {
                                  o.cohesion ? "cohesion_linear.cl" : "cohesion_none.cl",
                                  o.rotation ? "rotation.cl" : "rotation_none.cl",
                                  o.corrects() ? "corrections_kept.cl" : "corrections_none.cl",
-                                 o.predicts() ? "stretch_trapezoid.cl" : "stretch_whole.cl",
                                  "rolling_point.cl",
                                  o.rolling_constant ? "rolling_constant.cl" : "rolling_constant_none.cl",
                                  o.rolling_spring ? "rolling_spring.cl" : "rolling_spring_none.cl",

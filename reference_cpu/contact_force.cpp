@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reference_cpu/contact_force.hpp"
 
-#include <limits>
-
 namespace grainproof::reference {
 namespace {
 
@@ -34,13 +32,6 @@ Vec3 rolling_torque(const PairLaws& laws, const ContactPoint& point, const Vec3&
   springs.rolling_torque = wound_torque(springs.rolling_torque, arm * std::abs(normal_force),
                                         rolling_stiffness(point, now.shear), spin, point.normal, elapsed);
   return springs.rolling_torque;
-}
-
-void wind(const PairLaws& laws, const ContactPoint& point, const Vec3& spin, double elapsed,
-          ContactSprings& springs) {
-  const ContactResponse now = response(laws, point, std::sqrt(point.effective_mass));
-  springs.rolling_torque = wound_torque(springs.rolling_torque, std::numeric_limits<double>::infinity(),
-                                        rolling_stiffness(point, now.shear), spin, point.normal, elapsed);
 }
 
 Stored stored_in(const PairLaws& laws, const ContactPoint& point, const ContactSprings& springs) {

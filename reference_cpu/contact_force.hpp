@@ -65,28 +65,29 @@ inline ContactResponse response(const PairLaws& laws, const ContactPoint& point,
 /// k_t of before over k_t of now, while k_t grows (docs/laws/history.md).
 double kept_share(const PairLaws& laws, const ContactPoint& point, const ContactSprings& springs);
 
-/// Of the tangential spring, which is turned, stretched for `elapsed` (s) and cut back.
+/// Of the tangential spring, which is turned, stretched by `moved` (m) and cut back.
 inline Vec3 spring_friction(const PairLaws& laws, const ContactPoint& point, const Vec3& slip, double normal,
-                            const ShearResponse& shear, double elapsed, ContactSprings& springs) {
+                            const ShearResponse& shear, const Vec3& moved, ContactSprings& springs) {
   if (laws.spring.keeps_force) {
     springs.displacement *= kept_share(laws, point, springs);
     springs.overlap = point.overlap;
   }
-  springs.displacement = laws.spring.turned(springs.displacement, point.normal) + slip * elapsed;
+  springs.displacement = laws.spring.turned(springs.displacement, point.normal) + moved;
   return laws.spring.force(springs.displacement, slip, normal, shear);
 }
 
 /// Of any laws, with their springs and dashpots as they are now. `friction_damping` is the η that friction
-/// without memory adds to its slope. The tangential spring is brought up to date.
-inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, const ContactResponse& now,
-                                  double friction_damping, double root_mass, double elapsed,
-                                  ContactSprings& springs) {
+/// without memory adds to its slope. The tangential spring is brought up to date by `moved_by`, of the slip.
+template <class MovedBy>
+ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, const ContactResponse& now,
+                           double friction_damping, double root_mass, const MovedBy& moved_by,
+                           ContactSprings& springs) {
   const double separating = point.relative_velocity.dot(point.normal);
   double normal = now.push - now.damping * separating;
   if (laws.normal.no_tension) normal = std::max(normal, 0.0);
   const Vec3 slip = point.relative_velocity - separating * point.normal;
   if (laws.spring.present())
-    return {normal, spring_friction(laws, point, slip, normal, now.shear, elapsed, springs)};
+    return {normal, spring_friction(laws, point, slip, normal, now.shear, moved_by(slip), springs)};
   if (laws.friction.coefficient == 0.0) return {normal, Vec3::Zero()};
   return {normal, laws.friction.force(slip, normal, friction_damping, root_mass)};
 }
@@ -95,17 +96,14 @@ inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& poin
                                   ContactSprings& springs) {
   const double root_mass = std::sqrt(point.effective_mass);
   const ContactResponse now = response(laws, point, root_mass);
-  return contact_force(laws, point, now, now.damping, root_mass, elapsed, springs);
+  const auto moved_by = [elapsed](const Vec3& slip) -> Vec3 { return slip * elapsed; };
+  return contact_force(laws, point, now, now.damping, root_mass, moved_by, springs);
 }
 
 /// Rolling resistance on body 2, N m. `spin` is that of body 2 over body 1, rad/s. Its spring is wound for
 /// `elapsed` (s) and brought up to date.
 Vec3 rolling_torque(const PairLaws& laws, const ContactPoint& point, const Vec3& spin, double normal_force,
                     double elapsed, ContactSprings& springs);
-
-/// Winds a rolling spring for `elapsed` (s) without a look at its limit.
-void wind(const PairLaws& laws, const ContactPoint& point, const Vec3& spin, double elapsed,
-          ContactSprings& springs);
 
 /// What the springs of a contact push and hold.
 struct Stored {

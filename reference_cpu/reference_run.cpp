@@ -116,7 +116,7 @@ void ReferenceRun::add_contacts(double elapsed, ForceLog* log) {
   const ContactSetting setting{laws_, box_, walls_, cohesion_, simple_};
   const bool corrects = scene_.run.integrator == Integrator::onset_corrected;
   if (corrects || (bodies_.predicts() && !simple_)) {
-    history_.begin(0.5 * elapsed);
+    history_.begin(elapsed);
     touching_.begin();
     add_boundary_forces(setting, {scene_.run.step, elapsed > 0.0, corrects}, neighbours_, bodies_, history_,
                         touching_, watch_, log, events_);

@@ -77,7 +77,8 @@ class AnyTouch {
     if constexpr (turning) {
       twist(meet, arms, meet.normal.cross(force.friction));
       if (laws.rolling.present())
-        resist_rolling(laws, meet, arms, point, force.normal, history_.elapsed(), springs);
+        resist_rolling(laws, meet, rolling_spin(laws, meet, arms), point, force.normal, history_.elapsed(),
+                       springs);
     }
     if (laws.remembers()) history_.keep(memory_key(meet), meet.second, springs);
     log_.contact(laws, meet, arms, point, force, springs);
@@ -130,11 +131,10 @@ class AnyTouch {
     return spin * (arms.second / (bodies_.body[meet.second].radius - meet.overlap));
   }
 
-  /// The torque on body 2.
-  Vec3 resist_rolling(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+  /// The torque on body 2 against `spin`, that of body 2 over body 1.
+  Vec3 resist_rolling(const PairLaws& laws, const Encounter& meet, const Vec3& spin,
                       const ContactPoint& point, double normal_force, double elapsed,
                       ContactSprings& springs) {
-    const Vec3 spin = rolling_spin(laws, meet, arms);
     const Vec3 torque = rolling_torque(laws, point, spin, normal_force, elapsed, springs);
     bodies_.angular_acceleration[meet.second] += torque;
     if (!meet.with_wall()) bodies_.angular_acceleration[meet.first] -= torque;

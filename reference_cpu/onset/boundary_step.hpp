@@ -14,10 +14,9 @@ struct BoundaryStep {
   bool corrects;  ///< for the time that contacts lasted
 };
 
-/// As add_contact_forces(). Springs are stretched by half a step before and by half a step after their
-/// forces, which makes a trapezoid of two evaluations; the history has been begun with the half before. What
-/// began or ended is added to `events`. Where all laws are simple, `touching` is used in place of the
-/// history.
+/// As add_contact_forces(). Springs are stretched by what the half-step velocities have moved, as plain
+/// velocity Verlet does it; all else sees the velocities predicted for the boundary. What began or ended is
+/// added to `events`. Where all laws are simple, `touching` is used in place of the history.
 void add_boundary_forces(const ContactSetting& setting, const BoundaryStep& now, const Neighbours& neighbours,
                          Bodies& bodies, ContactHistory& history, Touching& touching, Watch& watch,
                          ForceLog* log, OnsetEvents& events);

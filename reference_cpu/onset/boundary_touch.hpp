@@ -75,14 +75,19 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     if constexpr (corrects)
       if (now_.started && may_let_go(laws, meet, point, now))
         elapsed = pass_zero(laws, meet, arms, point, springs);
-    const ContactForce force = contact_force(laws, point, now, damping, root_mass, elapsed, springs);
+    const bool whole_step = elapsed == now_.step;
+    const auto moved_by = [&](const Vec3& slip) -> Vec3 {
+      return whole_step ? moved_in_step(meet, arms) : (slip * elapsed).eval();
+    };
+    const ContactForce force = contact_force(laws, point, now, damping, root_mass, moved_by, springs);
     if constexpr (turning) {
       this->twist(meet, arms, meet.normal.cross(force.friction));
       if (laws.rolling.present())
-        this->resist_rolling(laws, meet, arms, point, force.normal, this->history_.elapsed(), springs);
+        this->resist_rolling(laws, meet, winding_spin(laws, meet, arms), point, force.normal, elapsed,
+                             springs);
     }
     this->log_.contact(laws, meet, arms, point, force, springs);
-    keep(laws, meet, arms, point, springs);
+    keep(laws, meet, springs);
     return force.normal * meet.normal + force.friction;
   }
 
@@ -130,31 +135,56 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     return inverse;
   }
 
-  static Vec3 slip_at(const ContactPoint& point) {
-    return point.relative_velocity - point.relative_velocity.dot(point.normal) * point.normal;
+  static Vec3 in_plane(const Vec3& velocity, const Vec3& normal) {
+    return velocity - velocity.dot(normal) * normal;
   }
 
-  /// With the second half of the stretch.
-  void keep(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
-            ContactSprings& springs) {
-    if (laws.spring.present()) springs.displacement += slip_at(point) * (0.5 * now_.step);
-    if constexpr (turning)
-      if (laws.rolling.spring)
-        wind(laws, point, this->rolling_spin(laws, meet, arms), 0.5 * now_.step, springs);
+  static Vec3 slip_at(const ContactPoint& point) { return in_plane(point.relative_velocity, point.normal); }
+
+  void keep(const PairLaws& laws, const Encounter& meet, const ContactSprings& springs) {
     if (corrects || laws.remembers()) memory_.keep(this->memory_key(meet), meet.second, springs);
+  }
+
+  /// What turns a rolling spring is the turn itself; a constant torque is against the predicted spin.
+  Vec3 winding_spin(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms) const {
+    if (!laws.rolling.spring || !now_.started) return this->rolling_spin(laws, meet, arms);
+    const Bodies& bodies = this->bodies_;
+    const Vec3& of_first = meet.with_wall() ? this->walls_[wall_of(meet)].spin : bodies.half_spin[meet.first];
+    return this->as_rolling(laws, meet, arms, bodies.half_spin[meet.second] - of_first);
+  }
+
+  /// Of body 2 over body 1, centres or the wall's surface, in the middle of the step.
+  Vec3 half_step_approach(const Encounter& meet) const {
+    const Bodies& bodies = this->bodies_;
+    const Vec3& of_first = meet.with_wall() ? meet.wall_velocity : bodies.half_velocity[meet.first];
+    return bodies.half_velocity[meet.second] - of_first;
+  }
+
+  Vec3 half_step_sweep(const Encounter& meet, const TorqueArms& arms) const {
+    const Bodies& bodies = this->bodies_;
+    Vec3 sweep = arms.second * bodies.half_spin[meet.second];
+    if (!meet.with_wall()) sweep += arms.first * bodies.half_spin[meet.first];
+    return sweep;
   }
 
   /// Of body 2 over body 1 where they touch, in the middle of the step.
   Vec3 half_step_velocity(const Encounter& meet, const TorqueArms& arms) const {
-    const Bodies& bodies = this->bodies_;
-    const Vec3 of_first = meet.with_wall() ? meet.wall_velocity : bodies.half_velocity[meet.first];
-    Vec3 velocity = bodies.half_velocity[meet.second] - of_first;
-    if constexpr (turning) {
-      Vec3 sweep = arms.second * bodies.half_spin[meet.second];
-      if (!meet.with_wall()) sweep += arms.first * bodies.half_spin[meet.first];
-      velocity -= sweep.cross(meet.normal);
-    }
+    Vec3 velocity = half_step_approach(meet);
+    if constexpr (turning) velocity -= half_step_sweep(meet, arms).cross(meet.normal);
     return velocity;
+  }
+
+  /// By what a tangential spring is stretched in a whole step, m. Spheres roll round each other, so the
+  /// normal in the middle of the step is the one that tells slip from approach.
+  Vec3 moved_in_step(const Encounter& meet, const TorqueArms& arms) const {
+    Vec3 velocity = half_step_approach(meet), middle = meet.normal;
+    if (!meet.with_wall()) {
+      const auto& body = this->bodies_.body;
+      const double apart = body[meet.first].radius + body[meet.second].radius - meet.overlap;
+      middle -= in_plane(velocity, meet.normal) * (0.5 * now_.step / apart);
+    }
+    if constexpr (turning) velocity -= half_step_sweep(meet, arms).cross(middle);
+    return in_plane(in_plane(velocity, middle), meet.normal) * now_.step;
   }
 
   /// Bodies may slide from the very touch on, at which a dashpot pushes already: the spring is then what
@@ -189,20 +219,19 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
       this->twist(meet, arms, meet.normal.cross(force.friction));
       // Grows from nothing with the overlap or the turn.
       if (laws.rolling.present())
-        event.resist = (0.5 * push.lasted - half) *
-                       this->resist_rolling(laws, meet, arms, point, force.normal, push.lasted, springs);
+        event.resist =
+            (0.5 * push.lasted - half) * this->resist_rolling(laws, meet, winding_spin(laws, meet, arms),
+                                                              point, force.normal, push.lasted, springs);
     }
     event.centre = this->bodies_.body[meet.second].position;
     events_.add(event);
     this->log_.contact(laws, meet, arms, point, force, springs);
-    keep(laws, meet, arms, point, springs);
+    keep(laws, meet, springs);
     return force.normal * meet.normal + force.friction;
   }
 
   void add_ending(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
                   const BeforeParting& before, ContactSprings springs);
-  ContactSprings springs_before(const PairLaws& laws, const Encounter& meet, const BeforeParting& before,
-                                ContactSprings springs) const;
   BeforeParting before_parting(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
                                double effective_mass) const;
   Vec3 resist_to_the_end(const PairLaws& laws, const ContactPoint& point, const Vec3& rolling,

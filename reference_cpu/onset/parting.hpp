@@ -30,17 +30,6 @@ BeforeParting BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::before
   return {point, slip_at(point), rolling};
 }
 
-// Laid into the tangent plane of now, as everything about the contact is, and without the half step ahead.
-template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
-ContactSprings BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::springs_before(
-    const PairLaws& laws, const Encounter& meet, const BeforeParting& before, ContactSprings springs) const {
-  const double half = 0.5 * now_.step;
-  if (laws.spring.present())
-    springs.displacement = laws.spring.turned(springs.displacement, meet.normal) - before.slip * half;
-  if (laws.rolling.spring) wind(laws, before.point, before.rolling, -half, springs);
-  return springs;
-}
-
 template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
 void BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::end(const PairLaws& laws,
                                                                      const Encounter& meet,
@@ -49,7 +38,7 @@ void BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::end(const PairL
   TorqueArms arms;
   if constexpr (turning) arms = this->arms_of(laws, meet);
   const BeforeParting before = before_parting(laws, meet, arms, effective_mass);
-  add_ending(laws, meet, arms, before, springs_before(laws, meet, before, springs));
+  add_ending(laws, meet, arms, before, springs);
 }
 
 template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
@@ -58,6 +47,8 @@ void BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::add_ending(cons
                                                                             const TorqueArms& arms,
                                                                             const BeforeParting& before,
                                                                             ContactSprings springs) {
+  // Laid into the tangent plane of now, as everything about the contact is.
+  if (laws.spring.present()) springs.displacement = laws.spring.turned(springs.displacement, meet.normal);
   const ContactPoint& point = before.point;
   const double step = now_.step, half = 0.5 * step;
   const double rate = -point.relative_velocity.dot(point.normal);
@@ -90,10 +81,9 @@ double BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::pass_zero(con
   };
   const double then = force_of(before.point), now = force_of(point);
   if ((then > 0.0) == (now > 0.0)) return usual;
-  if (laws.normal.no_tension && then > 0.0) {
-    add_ending(laws, meet, arms, before, springs_before(laws, meet, before, springs));
-  }
+  if (laws.normal.no_tension && then > 0.0) add_ending(laws, meet, arms, before, springs);
   if (!laws.spring.present()) return usual;
+  springs.rolling_torque.setZero();
   springs.displacement.setZero();
   if (laws.spring.limit == CoulombLimit::spring_and_dashpot) {
     const ShearResponse shear = response(laws, point, std::sqrt(point.effective_mass)).shear;

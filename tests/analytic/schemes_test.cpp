@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analytic/spectral_limit.hpp"
@@ -20,8 +21,7 @@ using Eigen::VectorXd;
 struct Stepped {
   Matrix2d K, H, C, D;
   double h;
-  Vector2d x{1.0, -0.4}, v{0.3, 0.2}, s{1.0, -0.4}, a{0.0, 0.0}, half{0.0, 0.0}, a_before{0.0, 0.0},
-      springs_before{0.0, 0.0};
+  Vector2d x{1.0, -0.4}, v{0.3, 0.2}, s{1.0, -0.4}, a{0.0, 0.0}, half{0.0, 0.0}, a_before{0.0, 0.0};
 
   Vector2d force(const Vector2d& velocity, double elapsed) {
     s += elapsed * velocity;
@@ -46,17 +46,11 @@ struct Stepped {
   void verlet(bool predicted, bool first) {
     if (first) a = force(v, 0.0) - D * v;
     a_before = a;
-    springs_before = s;
     half = v + 0.5 * h * a;
     x += h * half;
     const Vector2d seen = predicted ? Vector2d(half + 0.5 * h * a) : half;
-    if (!predicted) {
-      a = force(seen, h) - D * seen;
-    } else {  // half of the stretch before the force, half after it
-      if (first) s += 0.5 * h * Vector2d(0.3, 0.2);
-      a = force(seen, 0.5 * h) - D * seen;
-      s += 0.5 * h * seen;
-    }
+    s += h * half;
+    a = force(seen, 0.0) - D * seen;
     v = half + 0.5 * h * a;
   }
 
@@ -73,7 +67,7 @@ struct Stepped {
     if (scheme.starts_with("euler")) return (all << x, h * v, s, 0.0, 0.0).finished().head(6);
     if (scheme == "velocity_verlet" || scheme == "leapfrog_verlet")
       return (all << x, h * half, 0.0, 0.0, 0.0, 0.0).finished().head(4);
-    return (all << x, h * half, h * h * a_before, springs_before).finished();
+    return (all << x, h * half, h * h * a_before, 0.0, 0.0).finished().head(6);
   }
 };
 
@@ -109,24 +103,32 @@ TEST_P(LinearSchemes, HaveInClosedFormTheLimitOfTheirMatrix) {
         LinearContact{0.5, 0.0, 2e4, 25.0, 0.0}, LinearContact{0.5, 0.0, 2e4, 300.0, 0.0}}) {
     const double closed = pair_limit(GetParam(), contact);
     const double spectral = spectral_limit(GetParam(), {one_body(contact)});
-    if (GetParam().late_springs && contact.remembered > 0.0) continue;
     EXPECT_NEAR(spectral, closed, 2e-5 * closed) << contact.stiffness << " " << contact.damping;
   }
 }
 
-TEST(LinearScheme, WithPredictedVelocitiesNeedsADashpotBesideASpringThatRemembers) {
+/// The spring that remembers alone, by the recurrence itself.
+double swing_after(std::string_view scheme, double h, int steps) {
+  Stepped stepped{.K = Matrix2d::Zero(),
+                  .H = 100.0 * Matrix2d::Identity(),
+                  .C = Matrix2d::Zero(),
+                  .D = Matrix2d::Zero(),
+                  .h = h};
+  double largest = 0.0;
+  for (int n = 0; n < steps; ++n) {
+    stepped.step(scheme, n == 0);
+    if (n >= steps - 100) largest = std::max(largest, stepped.x.norm());
+  }
+  return largest;
+}
+
+TEST(LinearScheme, WithPredictedVelocitiesKeepsTheSwingOfASpringThatRemembers) {
   const auto& scheme = linear_scheme("velocity_verlet_predicted");
   const LinearContact bare{0.5, 0.0, 2e4, 0.0, 0.0};
-  EXPECT_EQ(spectral_limit(scheme, {one_body(bare)}), 0.0);
-  const double h = 0.1 / std::sqrt(2e4 / 0.5);
-  EXPECT_NEAR(std::log(growth_a_step(scheme, {one_body(bare)}, h)), 1e-4 / 8.0, 0.02 * 1e-4 / 8.0);
-  for (const double damping : {0.5, 2.0, 10.0, 40.0, 150.0, 400.0}) {  // of a critical 200
-    LinearContact damped = bare;
-    damped.damping = damping;
-    const double bound = pair_limit(scheme, damped), limit = spectral_limit(scheme, {one_body(damped)});
-    EXPECT_LE(bound, limit * (1.0 + 2e-5)) << damping;
-    EXPECT_GE(bound, 0.7 * limit) << damping;
-  }
+  EXPECT_NEAR(growth_a_step(scheme, {one_body(bare)}, 0.1 / std::sqrt(2e4 / 0.5)), 1.0, 1e-14);
+  // Within what the phase of the sampled maximum leaves open, and the rounding of a hundred thousand steps.
+  EXPECT_NEAR(swing_after("velocity_verlet_predicted", 0.03, 100000),
+              swing_after("velocity_verlet_predicted", 0.03, 200), 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(, LinearSchemes, testing::ValuesIn(linear_schemes()),

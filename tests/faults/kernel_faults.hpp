@@ -89,7 +89,7 @@ inline constexpr std::array kernel_faults{
                 "rolling_constant_torque"},
     KernelFault{"RollingSpringWithoutLimit", "rolling_spring.cl", "if (held > most) torque *= most / held;",
                 "", "rolling_spring"},
-    KernelFault{"RollingSpringWoundBackwards", "rolling_spring.cl", "xyz - (r.spin", "xyz + (r.spin",
+    KernelFault{"RollingSpringWoundBackwards", "rolling_spring.cl", "xyz - (r.winding", "xyz + (r.winding",
                 "rolling_pair_spring"},
     KernelFault{"QuaternionTurnedByTheWholeAngle", "quaternion.cl", "(real)0.5 * (real4)(v", "(real4)(v",
                 "orientation_exponential"},
