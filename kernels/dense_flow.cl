@@ -16,13 +16,18 @@ typedef struct {
   int terms;
 } Swing;
 
+#define FLOW_TERMS 25
+constant double one_over[FLOW_TERMS] = {0,        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,  1.0 / 8,
+                                        1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17,
+                                        1.0 / 18, 1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24};
+
 INLINE Flow flow_of(reals overlap, reals rate, reals time, Swing swing) {
   const reals p = swing.damping * time, q = swing.stiffness * time * time;
   reals before = overlap, now = rate * time, gain = 0;
   Flow f = {0, 0};
   for (int n = 2; n < swing.terms; ++n) {
-    const real share = -1 / (real)n, smaller = share / (real)(n - 1);
-    const reals next = fma(now * p, (reals)(share), before * q * smaller);
+    const real share = -(real)one_over[n], smaller = share * (real)one_over[n - 1];
+    const reals next = fma(now, p * share, before * (q * smaller));
     f.way += next;
     gain = fma(next, (reals)((real)n), gain);
     before = now;
@@ -35,9 +40,8 @@ INLINE Flow flow_of(reals overlap, reals rate, reals time, Swing swing) {
 // When a contact that parts has no overlap left, by Newton's steps from the motion at even acceleration; `longest`
 // where it never comes to that.
 INLINE reals parting_time(reals overlap, reals rate, real longest, Swing swing) {
-  const Flow whole = flow_of(overlap, rate, (reals)(longest), swing);
   const flags some = overlap > 0;
-  flags comes = some & (rate < 0) & (overlap + rate * longest + whole.way <= 0);
+  flags comes = some & (rate < 0);
   const reals pull = fma(swing.stiffness, overlap, swing.damping * rate);  // over the mass, against the overlap
   const reals swiftness = fma(rate, rate, 2 * pull * overlap);
   const reals guess = 2 * overlap / (roots_of(swiftness > 0 ? swiftness : 0) - rate);

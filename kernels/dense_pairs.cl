@@ -163,8 +163,14 @@ INLINE void press(Dense d, Push* total, Meeting m, flags was, bool event, PairLa
   if (event) correct(total, m, o, g, duration);
 }
 
-INLINE void stretch_by_middles(Meeting* m) {
-  m->stretching = slip_of(m->middle_velocity, inner(m->middle_velocity, m->normal), m->middle_sweep, m->normal);
+INLINE Vectors flat_against(Vectors v, Vectors normal) { return plus_scaled(v, normal, -inner(v, normal)); }
+
+// By the slip in the middle of the step, where spheres that roll round each other have another normal: `turn` is half a
+// step over their distance.
+INLINE void stretch_by_middles(Meeting* m, reals turn) {
+  const Vectors v = m->middle_velocity, normal = plus_scaled(m->normal, flat_against(v, m->normal), -turn);
+  const Vectors sliding = ROTATION ? less(v, outer(m->middle_sweep, normal)) : v;
+  m->stretching = flat_against(flat_against(sliding, normal), m->normal);
 }
 
 // What contacts leave of predicted rates and slips.
@@ -190,7 +196,6 @@ INLINE void compare_middles(Dense d, Meeting* m, Bodies b, Quarter motion, Quart
   Vectors spin = vectors(motion.w, turning.w, middle.w);
   if (MIDDLE_SPIN_APART) spin = xyz_of(fetch(d.records, entry, MIDDLE + 1));
   if (ROTATION) m->middle_sweep = sweeps_of(b.middle_spin, m->arm, spin, other_arm);
-  if (HISTORY) stretch_by_middles(m);
 }
 
 // Sums over the partners in one slot. Tells what must be heard of.
@@ -246,6 +251,7 @@ INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, Alik
     foresee(&m, mobility, law, alike, duration);
   }
   if (PREDICTED && HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
+  if (PREDICTED && HISTORY) stretch_by_middles(&m, d.box->time.y * (reach * inverse));
   const bool event = any_event(m, was, law, duration);
   if (event && !HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
   Vectors spring = springs_before(d, mark, b.lane);

@@ -44,7 +44,7 @@ INLINE int meet_plane(Dense d, Push* total, Bodies b, Places p, const global Den
   m.middle_velocity = b.middle_velocity;
   m.middle_sweep = scaled(b.middle_spin, m.arm);
   m.duration = duration;
-  if (PREDICTED && HISTORY) stretch_by_middles(&m);
+  if (PREDICTED && HISTORY) stretch_by_middles(&m, (reals)(0));
   if (CORRECTED) {
     m.mobility = b.inverse_mass;
     if (ROTATION) m.mobility = fma(m.arm * m.arm, inverse_inertia_of(d, b.inverse_mass, b.radius), b.inverse_mass);

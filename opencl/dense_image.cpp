@@ -126,7 +126,7 @@ class DenseImager {
       const double h = scene_.run.step, p = h * c.damping.at(lightest) / lightest;
       const double q = h * h * c.stiffness / lightest;
       double before = 1.0, now = 1.0;
-      for (cl_int n = 2; n < 64 && now + before > (twice ? 0x1p-58 : 0x1p-29) * (p + q); ++n) {
+      for (cl_int n = 2; n < 24 && now + before > (twice ? 0x1p-58 : 0x1p-29) * (p + q); ++n) {
         const double next = ((n - 1) * p * now + q * before) / (n * (n - 1));
         before = std::exchange(now, next);
         most = std::max(most, n + 1);

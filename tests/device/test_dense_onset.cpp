@@ -1,9 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
 
 #include "crowds.hpp"
 #include "device_fixture.hpp"
+#include "opencl/checkpoint.hpp"
 #include "scenes.hpp"
 
 namespace grainproof::opencl::testing {
@@ -49,7 +55,6 @@ EngineOptions on(Path path, Precision precision, double skin = 0.01) {
   EngineOptions options = options_for(precision);
   options.path = path;
   options.skin = skin;
-  if (path == Path::zoned && getenv("HK")) options.kernels = getenv("HK");
   return options;
 }
 
@@ -132,6 +137,18 @@ TEST_P(DenseOnset, BitsOfCanonicalOrderDoNotDependOnTheSkin) {
   EXPECT_EQ(ended(dense(0.025), scene()).digest, usual);
 }
 
+TEST_P(DenseOnset, GoesOnFromACheckpointWithTheSameBits) {
+  OpenClEngine engine(dense());
+  const auto straight = engine.start(scene(), {});
+  straight->advance(70);
+  const Checkpoint made = dynamic_cast<RestorableRun&>(*straight).checkpoint();
+  const Resumed taken = engine.resume(scene(), {}, made);
+  EXPECT_EQ(taken.not_exact_because, "");
+  straight->advance(80);
+  taken.run->advance(80);
+  EXPECT_EQ(taken.run->digest(), straight->digest());
+}
+
 std::string name_of_crowd(const ::testing::TestParamInfo<std::tuple<Named, Precision, SumOrder>>& param) {
   return std::string(std::get<0>(param.param).name) + '_' + std::string(name_of(std::get<1>(param.param))) +
          (std::get<2>(param.param) == SumOrder::fast ? "_fast" : "_canonical");
@@ -143,6 +160,92 @@ INSTANTIATE_TEST_SUITE_P(Crowds, DenseOnset,
                                                               Precision::double_precision),
                                             ::testing::Values(SumOrder::fast, SumOrder::canonical)),
                          name_of_crowd);
+
+/// Isolated pairs that meet at 2 m/s, each at a phase of the step of its own.
+Scene pairs_scene(double steps_per_contact) {
+  constexpr int pairs = 300;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> phase(1.0, 2.0);
+  Scene scene = empty_scene(0.8);
+  const double contact = contact_time(sphere_mass(density, diameter) / 2, stiffness, 0.8);
+  scene.run.integrator = Integrator::onset_corrected;
+  scene.run.step = contact / steps_per_contact;
+  for (int k = 0; k < pairs; ++k) {
+    const Vec3 at(-0.65 + 0.5 * (k % 3), -0.9 + 0.19 * (k / 3 % 10), -0.9 + 0.19 * (k / 30));
+    const double gap = 2.0 * scene.run.step * phase(random);
+    scene.particles.push_back(sphere(2 * k, at, {1, 0, 0}));
+    scene.particles.push_back(sphere(2 * k + 1, at + Vec3(diameter + gap, 0, 0), {-1, 0, 0}));
+  }
+  scene.run.end = 1.5 * contact + 8.0 * scene.run.step;
+  scene.run.sample_times = {0.0, scene.run.end};
+  return scene;
+}
+
+double rebound_error(Precision precision, double steps_per_contact) {
+  const Scene scene = pairs_scene(steps_per_contact);
+  const Frame last = observed(on(Path::dense, precision), scene).frames.back();
+  double sum = 0.0;
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t i = 0; i < last.velocity.size(); i += 2) {
+    const Vec3 apart = last.velocity[i + 1] - last.velocity[i];
+    sum += std::pow(apart.x() / 2 / 0.8 - 1.0, 2);
+    momentum += last.velocity[i + 1] + last.velocity[i];
+  }
+  EXPECT_LE(momentum.norm(), static_cast<double>(last.velocity.size()) * 8 * roundoff(precision));
+  return std::sqrt(2.0 * sum / static_cast<double>(last.velocity.size()));
+}
+
+class DenseRebound : public ::testing::TestWithParam<Precision> {};
+
+// The bars of the accuracy bench, in test_onset.cpp for the other paths.
+TEST_P(DenseRebound, OfDampedPairsIsWithinTheBars) {
+  EXPECT_LE(rebound_error(GetParam(), 16.3), 5e-4);
+  EXPECT_LE(rebound_error(GetParam(), 64.7), 3e-5);
+  EXPECT_GT(rebound_error(GetParam(), 64.7), 1e-6);
+}
+
+GRAINPROOF_IN_BOTH_PRECISIONS(DenseRebound);
+
+struct Mistake {
+  const char* name;
+  const char* file;
+  const char* right;
+  const char* wrong;
+};
+
+const Mistake mistakes[] = {
+    {"touches_are_not_carried", "dense_list.cl", "l.marks[touch_at(slot)] |= 1 << lane;", ";"},
+    {"moments_have_the_wrong_sign", "dense_onset.cl", "o.moment = -mass * f.way;",
+     "o.moment = mass * f.way;"},
+    {"rates_are_not_refined", "dense_pairs.cl", "m->foreseen = alike.rate;", "m->foreseen = 1;"},
+    {"springs_take_the_predicted_slip", "dense_pairs.cl", "const Vectors v = m->middle_velocity,",
+     "const Vectors v = m->velocity,"},
+    {"twists_are_forgotten", "dense_step.cl", "total_of(p.twist, p.torque_unit)", "vectors(0, 0, 0)"},
+};
+
+class DenseOnsetMistakes : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(DenseOnsetMistakes, AreNoticed) {
+  const Mistake& mistake = GetParam();
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("grainproof-onset-" + std::to_string(getpid()) + "-" + mistake.name);
+  std::filesystem::copy(GRAINPROOF_KERNELS, folder);
+  std::ifstream original(folder / mistake.file);
+  std::string text{std::istreambuf_iterator<char>(original), {}};
+  original.close();
+  const auto at = text.find(mistake.right);
+  ASSERT_NE(at, std::string::npos);
+  std::ofstream(folder / mistake.file) << text.replace(at, std::string(mistake.right).size(), mistake.wrong);
+  const Scene scene = scene_of({"bed", {}}, SumOrder::fast);
+  EngineOptions wrong = on(Path::dense, Precision::double_precision);
+  wrong.kernels = folder;
+  const Ended exact = ended(on(Path::zoned, Precision::double_precision), scene);
+  EXPECT_GT(difference(ended(wrong, scene).state.velocity, exact.state.velocity), 1e-8);
+  std::filesystem::remove_all(folder);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planted, DenseOnsetMistakes, ::testing::ValuesIn(mistakes),
+                         [](const ::testing::TestParamInfo<Mistake>& param) { return param.param.name; });
 
 }  // namespace
 }  // namespace grainproof::opencl::testing

@@ -64,6 +64,11 @@ TEST(DensePath, LeavesOtherFieldsToTheZonedPath) {
   scene.flow = UniformFlow{1e-3, Vec3::Zero()};
   expect_refused(scene, "fluid");
   scene = crowded_scene({});
+  for (const Integrator taken : {Integrator::velocity_verlet_predicted, Integrator::onset_corrected}) {
+    scene = crowded_scene({});
+    scene.run.integrator = taken;
+    EXPECT_TRUE(support(scene));
+  }
   scene.run.integrator = Integrator::euler_trapezoid;
   expect_refused(scene, "Verlet");
   scene = crowded_scene({});
