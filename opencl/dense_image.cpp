@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "opencl/bytes.hpp"
+#include "opencl/flow_terms.hpp"
 #include "opencl/near_walls.hpp"
 #include "opencl/pair_laws.hpp"
 
@@ -87,7 +87,7 @@ class DenseImager {
       b.domain_lower.s[axis] = grid_.periodic[k] ? -HUGE_VAL : scene_.domain.lower[axis];
       b.domain_upper.s[axis] = grid_.periodic[k] ? HUGE_VAL : scene_.domain.upper[axis];
     }
-    b.zones.s[3] = flow_terms();
+    if (options_.corrected) b.zones.s[3] = flow_terms(scene_, twice ? 0x1p-58 : 0x1p-29);
     b.counts = {{static_cast<cl_int>(scene_.particles.size()),
                  static_cast<cl_int>(near_walls(scene_).planes.size()),
                  static_cast<cl_int>(scene_.materials.size()), p.material}};
@@ -110,29 +110,6 @@ class DenseImager {
           std::max(strongest, elastic + (c.damping.at(heaviest) + c.history.damping.at(heaviest)) * fastest);
     }
     return std::exp2(std::ceil(std::log2(strongest)) + 10.0 - 62.0);
-  }
-
-  /// Of the power series of a contact's motion over a step, until those of the lightest pair are below the
-  /// last digit: kernels/dense_flow.cl.
-  cl_int flow_terms() const {
-    if (!options_.corrected) return 0;
-    double lightest = HUGE_VAL;
-    for (const Particle& p : scene_.particles) lightest = std::min(lightest, mass_of(p, scene_) / 2);
-    const auto material = static_cast<std::size_t>(scene_.particles.front().material);
-    cl_int most = 4;
-    for (std::size_t other = 0; other < scene_.materials.size(); ++other) {
-      if (!scene_.contacts.has(material, other)) continue;
-      const PairCoefficients c = coefficients_of(scene_, material, other);
-      const double h = scene_.run.step, p = h * c.damping.at(lightest) / lightest;
-      const double q = h * h * c.stiffness / lightest;
-      double before = 1.0, now = 1.0;
-      for (cl_int n = 2; n < 24 && now + before > (twice ? 0x1p-58 : 0x1p-29) * (p + q); ++n) {
-        const double next = ((n - 1) * p * now + q * before) / (n * (n - 1));
-        before = std::exchange(now, next);
-        most = std::max(most, n + 1);
-      }
-    }
-    return most;
   }
 
   /// All have rows for springs from the start then: kernels/dense_springs.cl.

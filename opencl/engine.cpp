@@ -98,7 +98,9 @@ std::unique_ptr<RestorableRun> OpenClEngine::begin(const Scene& scene, const Req
   const double wanted = searched ? first_skin(scene) : options_.skin.value_or(given_or_usual_skin(scene));
   const double skin = skin_for_endings(scene, wanted);
   if (!small && takes_dense_path(options_.path, scene, request, skin))
-    return std::make_unique<DenseRun>(workshop_, scene, options_.precision, skin, searched);
+    // A search would go below what endings need.
+    return std::make_unique<DenseRun>(workshop_, scene, options_.precision, skin,
+                                      searched && scene.run.integrator != Integrator::onset_corrected);
   BuildOptions build = build_options(scene, request, options_.precision, small);
   if (options_.stages == Stages::full) build = with_every_stage(build);
   if (small) return std::make_unique<SmallRun>(workshop_, scene, build);
