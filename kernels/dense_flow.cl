@@ -45,7 +45,7 @@ INLINE reals parting_time(reals overlap, reals rate, real longest, Swing swing) 
   const reals pull = fma(swing.stiffness, overlap, swing.damping * rate);  // over the mass, against the overlap
   const reals swiftness = fma(rate, rate, 2 * pull * overlap);
   const reals guess = 2 * overlap / (roots_of(swiftness > 0 ? swiftness : 0) - rate);
-  reals time = comes & (guess < longest) ? guess : (reals)(longest);
+  reals time = (comes & (guess < longest)) ? guess : (reals)(longest);
   flags seeks = comes;
   for (int k = 0; k < 6; ++k) {
     const Flow f = flow_of(overlap, rate, time, swing);

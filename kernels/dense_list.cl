@@ -163,8 +163,11 @@ kernel void dense_list(const global DenseBox* box, const global DensePlane* plan
     for (int lane = 0; lane < GROUP; ++lane) {
       const int row = rows[g + lane];
       write_lane(latter, head, lane, first + row, row, &found);
-      if (CORRECTED && row < count) carry_touches(former, latter, head, lane, first + row, row, &found);
-      if (HISTORY && !CORRECTED && row < count) carry_lane(former, latter, head, lane, first + row, row, &found);
+      if (row >= count) continue;
+      if (CORRECTED)
+        carry_touches(former, latter, head, lane, first + row, row, &found);
+      else if (HISTORY)
+        carry_lane(former, latter, head, lane, first + row, row, &found);
     }
   }
 }

@@ -154,7 +154,7 @@ INLINE Onset onset_of(Meeting* m, flags was, PairLaw law, Vectors* spring, real 
   const Flow f = flow_of(o.ends ? b.overlap : 0, o.ends ? b.rate : (o.begins ? rate : 0), o.time, swing);
   o.impulse = -mass * f.gain;
   o.moment = -mass * f.way;
-  if (law.lowest == 0) o.impulse = o.begins & (o.impulse < 0) ? 0 : o.impulse;
+  if (law.lowest == 0) o.impulse = (o.begins & (o.impulse < 0)) ? 0 : o.impulse;
   o.moment = o.ends ? fma(step - o.time, o.impulse, o.moment) : o.moment;
   if ((FRICTION || HISTORY) && any_of(o.ends)) rub_to_the_end(*m, &o, b, f, law, swing, *spring);
   const reals change = -inner(m->velocity, m->normal) - (rate + f.gain);

@@ -33,6 +33,7 @@ typedef struct {
 // the fourth places of the quarters before: a record is a cache line then, in single precision.
 #define MIDDLE (2 + ROTATION)
 #define MIDDLE_SPIN_APART (PREDICTED && ROTATION && VARIED)
+#define MIDDLE_SPIN_PACKED (PREDICTED && ROTATION && VARIED == 0)
 
 // LANES particles, and where they are.
 typedef struct {

@@ -89,7 +89,7 @@ INLINE void predict(Dense d, Bodies* b, Vectors acceleration, Push p) {
 
 INLINE void store_bodies(global real4* records, Bodies b) {
   const Quarter at = {bits_of_phases(b.x), bits_of_phases(b.y), bits_of_phases(b.z), bits_of_phases(b.radius_phase)};
-  const bool turns = PREDICTED && ROTATION && !MIDDLE_SPIN_APART;
+  const bool turns = MIDDLE_SPIN_PACKED;
   const Quarter motion = {b.velocity.x, b.velocity.y, b.velocity.z, turns ? b.middle_spin.x : b.inverse_mass};
   store_own(records, b.first, 0, at);
   store_own(records, b.first, 1, motion);
