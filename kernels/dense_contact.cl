@@ -6,20 +6,43 @@ typedef struct {
   Vectors normal;    // to the body
   Vectors velocity;  // of the body's centre relative to the other's
   Vectors sweep;     // arms times angular velocities, of both
+  Vectors middle_velocity, middle_sweep;  // likewise, in the middle of the step that has led here
+  Vectors stretching;                     // the slip that stretches a spring
+  reals duration;                         // for which it does
+  reals foreseen, foreseen_slip;          // what the contact itself will leave of the rate and the slip
   reals overlap;
   reals root_mass;   // of the effective mass
   reals arm;
+  reals mobility;    // inverse effective mass along the tangent plane
 } Meeting;
+
+// What a contact does.
+typedef struct {
+  reals pressing;
+  Vectors rubbing;
+} Grasp;
 
 typedef struct {
   Sum force;
   Sum torque;
+  Sum impulse, moment, twist;  // of contacts that begin or end; over the step, its square and the step
+  bool corrected;
   real force_unit;
   real torque_unit;
 } Push;
 
+INLINE reals dashpot_of(PairLaw law, reals root_mass) { return law.damping + law.damping_root_mass * root_mass; }
+INLINE reals spring_dashpot_of(PairLaw law, reals root_mass) {
+  return law.spring_damping + law.spring_damping_root_mass * root_mass;
+}
+
+INLINE Vectors slip_of(Vectors velocity, reals separating, Vectors sweep, Vectors normal) {
+  const Vectors slip = plus_scaled(velocity, normal, -separating);
+  return ROTATION ? less(slip, outer(sweep, normal)) : slip;
+}
+
 INLINE reals pressing_force(Meeting m, reals separating, PairLaw law) {
-  const reals damping = law.damping + law.damping_root_mass * m.root_mass;
+  const reals damping = dashpot_of(law, m.root_mass);
   const reals force = fma((reals)(law.stiffness), m.overlap, -(damping * separating));
   const reals clamped = force > law.lowest ? force : law.lowest;
   return m.touching ? clamped : 0;
@@ -40,18 +63,14 @@ INLINE Vectors turned_springs(Vectors spring, Vectors normal, int variant) {
   return scaled(flat, square > 0 ? roots_of(inner(spring, spring) / square) : 1);
 }
 
-// Against the slip; leaves in `spring` what the Coulomb limit leaves of it.
-INLINE Vectors holding_force(Vectors* spring, Vectors slip, Meeting m, reals pressing, PairLaw law, real duration) {
-  const reals damping = law.spring_damping + law.spring_damping_root_mass * m.root_mass;
+// Against the slip; leaves in `spring`, which is a trial, what the Coulomb limit leaves of it.
+INLINE Vectors gripping_force(Vectors* spring, Vectors damped, reals limit, PairLaw law) {
   const bool alone = (law.history & LIMIT_ON_SPRING) != 0;
   const real stiffness = law.spring, compliance = 1 / law.spring;
-  const Vectors trial = plus_scaled(turned_springs(*spring, m.normal, law.history), slip, (reals)(duration));
-  const Vectors damped = scaled(slip, damping);
+  const Vectors trial = *spring;
   Vectors force = plus_scaled(damped, trial, (reals)(stiffness));
-  const reals limit = law.sliding * magnitudes(pressing);
   const reals held = alone ? stiffness * stiffness * inner(trial, trial) : inner(force, force);
   const flags slides = held > limit * limit;
-  *spring = trial;
   if (any_of(slides)) {
     const reals share = limit / roots_of(slides ? held : 1);
     if (alone) {
@@ -65,22 +84,29 @@ INLINE Vectors holding_force(Vectors* spring, Vectors slip, Meeting m, reals pre
   return force;
 }
 
-INLINE void push(Push* total, Meeting m, PairLaw law, Vectors* spring, real duration) {
+INLINE Vectors holding_force(Vectors* spring, Vectors slip, Meeting m, reals pressing, PairLaw law) {
+  const reals damping = spring_dashpot_of(law, m.root_mass);
+  const Vectors stretching = PREDICTED ? chosen(m.touching, m.stretching, vectors(0, 0, 0)) : slip;
+  *spring = plus_scaled(turned_springs(*spring, m.normal, law.history), stretching, m.duration);
+  const Vectors damped = scaled(slip, CORRECTED ? damping * m.foreseen_slip : damping);
+  return gripping_force(spring, damped, law.sliding * magnitudes(pressing), law);
+}
+
+INLINE Grasp push(Push* total, Meeting m, PairLaw law, Vectors* spring) {
   const reals separating = inner(m.velocity, m.normal);
-  const reals pressing = pressing_force(m, separating, law);
-  Vectors force = scaled(m.normal, pressing);
+  Grasp g = {pressing_force(m, CORRECTED ? separating * m.foreseen : separating, law), vectors(0, 0, 0)};
+  Vectors force = scaled(m.normal, g.pressing);
   if (FRICTION || HISTORY) {
-    Vectors slip = plus_scaled(m.velocity, m.normal, -separating);
-    if (ROTATION) slip = less(slip, outer(m.sweep, m.normal));
-    slip = chosen(m.touching, slip, vectors(0, 0, 0));
-    Vectors rubbing = vectors(0, 0, 0);
-    if (FRICTION) rubbing = viscous_friction(slip, pressing, law, m.root_mass);
+    const Vectors slip =
+        chosen(m.touching, slip_of(m.velocity, separating, m.sweep, m.normal), vectors(0, 0, 0));
+    if (FRICTION) g.rubbing = viscous_friction(slip, g.pressing, law, m.root_mass);
     if (HISTORY && (law.history & REMEMBERS))
-      rubbing = less(rubbing, holding_force(spring, slip, m, pressing, law, duration));
-    if (ROTATION) add(&total->torque, scaled(outer(m.normal, rubbing), -m.arm), total->torque_unit);
-    force = plus_scaled(force, rubbing, (reals)(1));
+      g.rubbing = less(g.rubbing, holding_force(spring, slip, m, g.pressing, law));
+    if (ROTATION) add(&total->torque, scaled(outer(m.normal, g.rubbing), -m.arm), total->torque_unit);
+    force = plus_scaled(force, g.rubbing, (reals)(1));
   }
   add(&total->force, force, total->force_unit);
+  return g;
 }
 
 INLINE reals arm_of(reals radius, reals overlap, int variant) {

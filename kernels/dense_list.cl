@@ -34,9 +34,33 @@ INLINE void carry_lane(Former f, Latter l, int4 head, int lane, int self, int ro
     put_spring(l.springs, l.marks + k++, lane, spring_between(f, old, f.members[partners[near]]));
 }
 
+// Who is in touch, with its spring: only near partners have room for one.
+INLINE void carry_touch(Former f, Latter l, int slot, int rows, int lane, int old, uint partner) {
+  const int place = place_packed(f, old, partner);
+  if (place < 0) return;
+  l.marks[touch_at(slot, lane)] |= 1 << lane;
+  if (HISTORY && rows > 0) put_spring(l.springs, l.marks + mark_at(slot, lane), lane, former_spring(f, old, partner, 1));
+}
+
+INLINE void carry_touches(Former f, Latter l, int4 head, int lane, int self, int row, const Found* found) {
+  const int old = f.members[self], near = found->near_count[row], all = near + found->far_count[row];
+  if (f.starts[old] < 0) return;
+  int slot = head.x;
+  for (int walls = head.z & ~(1 << FACE_BIT); walls != 0; walls &= walls - 1)
+    carry_touch(f, l, slot++, 1, lane, old, WALL_PARTNER | (uint)lowest_bit((uint)walls));
+  const int* partners = found->partners + row * MOST_PARTNERS;
+  for (int k = 0; k < all; ++k) {
+    const int partner = partners[k < near ? k : MOST_PARTNERS - 1 - (k - near)];
+    carry_touch(f, l, slot++, near - k, lane, old, (uint)f.members[partner] + 1);
+  }
+}
+
 // The first `rows` slots of a group have rows for springs.
 INLINE void mark_slots(global int* marks, int4 head, int rows, int first_row) {
-  for (int k = 0; k < head.y; ++k) marks[head.x + k] = k < rows ? mark_of_row(first_row + k) : 0;
+  for (int k = 0; k < head.y; ++k) {
+    if (HISTORY) marks[mark_at(head.x + k, 0)] = k < rows ? mark_of_row(first_row + k) : 0;
+    if (CORRECTED) marks[touch_at(head.x + k, 0)] = 0;
+  }
 }
 
 // Particles order[0 … GROUP − 1] of the window that begins at `first`. near: most near partners of one of them.
@@ -50,7 +74,7 @@ INLINE int4 head_of(Site s, int first, const int* order, const Found* found, glo
     *near = max(*near, found->near_count[order[lane]]);
     longest = max(longest, found->near_count[order[lane]] + found->far_count[order[lane]]);
   }
-  const int walls = HISTORY ? popcount((uint)(planes & ~(1 << FACE_BIT))) : 0;
+  const int walls = HISTORY || CORRECTED ? popcount((uint)(planes & ~(1 << FACE_BIT))) : 0;
   const int slots = walls + longest;
   return (int4)(slots > 0 ? atomic_add(totals + SLOTS_WANTED, slots) : 0, slots, planes, walls);
 }
@@ -95,11 +119,15 @@ kernel void dense_list(const KNOWN DenseBox* box, const global DensePlane* plane
     heads[(first + g) / GROUP] = head;
     const int wanted = head.w + near, first_row = HISTORY && wanted > 0 ? atomic_add(totals + ROWS_WANTED, wanted) : 0;
     if (head.x + head.y > room || first_row + (HISTORY ? wanted : 0) > row_room) continue;
-    if (HISTORY) mark_slots(marks, head, wanted, first_row);
+    mark_slots(marks, head, wanted, first_row);
     for (int lane = 0; lane < GROUP; ++lane) {
       const int row = rows[g + lane];
       write_lane(latter, head, lane, first + row, row, &found);
-      if (HISTORY && row < count) carry_lane(former, latter, head, lane, first + row, row, &found);
+      if (row >= count) continue;
+      if (CORRECTED)
+        carry_touches(former, latter, head, lane, first + row, row, &found);
+      else if (HISTORY)
+        carry_lane(former, latter, head, lane, first + row, row, &found);
     }
   }
 }

@@ -11,15 +11,18 @@ typedef struct {
 // Who is at the other end of the spring in a slot, if it is other than zero and this particle's to keep; else 0, which
 // is no partner: nobody stands before the first.
 INLINE uint partner_to_pack(Strained s, int k, int self, int lane, int* walls) {
-  const int slot = s.head.x + k, mark = s.marks[mark_at(slot, lane)];
+  const int slot = s.head.x + k, mark = HISTORY ? s.marks[mark_at(slot, lane)] : 0;
   uint partner = WALL_PARTNER;
   if (k < s.head.w) {
     partner |= (uint)lowest_bit((uint)*walls);
     *walls &= *walls - 1;
   }
-  if (!is_strained(mark) || is_zero(spring_in(s.springs, mark, lane))) return 0;
+  if (CORRECTED && (s.marks[touch_at(slot, lane)] >> lane & 1) == 0) return 0;
+  if (!CORRECTED && (!is_strained(mark) || is_zero(spring_in(s.springs, mark, lane)))) return 0;
   if (k < s.head.w) return partner;
   partner = s.list[(size_t)slot * GROUP + lane] / UNITS_A_RECORD;
+  // Nobody stands before the first, so that 0 is free to say: no partner. One that is corrected is told of by one more.
+  if (CORRECTED) return partner + 1;
   return partner > (uint)self ? partner : 0;
 }
 
@@ -34,12 +37,14 @@ INLINE void pack_lane(Strained s, int self, int lane, int at, global uint* partn
   for (int k = 0; k < s.head.y; ++k) {
     const uint partner = partner_to_pack(s, k, self, lane, &walls);
     if (partner == 0) continue;
-    const real4 spring = spring_in(s.springs, s.marks[mark_at(s.head.x + k, lane)], lane);
     partners[at] = partner;
-    packed[3 * at] = spring.x;
-    packed[3 * at + 1] = spring.y;
-    packed[3 * at + 2] = spring.z;
     last = at++;
+    if (!HISTORY) continue;
+    const int mark = s.marks[mark_at(s.head.x + k, lane)];
+    const real4 spring = is_strained(mark) ? spring_in(s.springs, mark, lane) : (real4)(0);
+    packed[3 * last] = spring.x;
+    packed[3 * last + 1] = spring.y;
+    packed[3 * last + 2] = spring.z;
   }
   if (last >= 0) partners[last] |= LAST_PARTNER;
 }

@@ -6,7 +6,7 @@ typedef struct {
   const KNOWN DenseBox* box;
   const global PairLaw* laws;
   const global DensePlane* planes;
-  const global real4* records;   // QUARTERS each: phase and radius; velocity and 1/mass; angular velocity
+  const global real4* records;   // QUARTERS each: phase and radius; velocity and 1/mass; angular velocity; of the middle
   global real* kept;             // a group's KEPT rows
   const global phase* built_at;  // a group's 3 rows: phases when the list was built
   const global int* cells;       // of then, 10 bits an axis
@@ -29,6 +29,12 @@ typedef struct {
   {box, laws, planes, records, kept, built_at, cells, heads, list, springs, new_springs, marks, new_marks, \
    signals + ROWS_TAKEN, keeps}
 
+// Quarters of a record in which velocity and spin in the middle of the step are. Where bodies are all alike, the spin has
+// the fourth places of the quarters before: a record is a cache line then, in single precision.
+#define MIDDLE (2 + ROTATION)
+#define MIDDLE_SPIN_APART (PREDICTED && ROTATION && VARIED)
+#define MIDDLE_SPIN_PACKED (PREDICTED && ROTATION && VARIED == 0)
+
 // LANES particles, and where they are.
 typedef struct {
   int first;
@@ -37,7 +43,8 @@ typedef struct {
   indices index;
   phases x, y, z;
   phases radius_phase;
-  Vectors velocity, spin;
+  Vectors velocity, spin;                // that forces take
+  Vectors middle_velocity, middle_spin;  // in the middle of the step that has led here
   reals inverse_mass, radius;
   flags moves;
 } Bodies;
@@ -54,8 +61,12 @@ INLINE Bodies load_bodies(Dense d, int item) {
   b.z = phases_of(at.z);
   b.radius_phase = phases_of(at.w);
   b.velocity = xyz_of(motion);
-  b.spin = vectors(0, 0, 0);
-  if (ROTATION) b.spin = xyz_of(fetch_own(d.records, b.first, 2));
+  const Quarter none = {0, 0, 0, 0}, turning = ROTATION ? fetch_own(d.records, b.first, 2) : none;
+  b.spin = xyz_of(turning);
+  const Quarter middle = PREDICTED ? fetch_own(d.records, b.first, MIDDLE) : none;
+  b.middle_velocity = PREDICTED ? xyz_of(middle) : b.velocity;
+  b.middle_spin = PREDICTED ? vectors(motion.w, turning.w, middle.w) : b.spin;
+  if (MIDDLE_SPIN_APART) b.middle_spin = xyz_of(fetch_own(d.records, b.first, MIDDLE + 1));
   b.inverse_mass = VARIED ? motion.w : (reals)(d.box->body.y);
   b.radius = VARIED ? to_reals(b.radius_phase) * d.box->metre.w : (reals)(d.box->body.x);
   b.moves = below(b.index, d.box->counts.x);
@@ -67,6 +78,10 @@ INLINE Bodies load_bodies(Dense d, int item) {
 INLINE Vectors sweeps_of(Vectors a, reals arm, Vectors b, reals other_arm) {
   if (!VARIED) return scaled(plus_scaled(a, b, (reals)(1)), arm);
   return plus_scaled(scaled(a, arm), scaled(b, other_arm), (reals)(1));
+}
+
+INLINE reals inverse_inertia_of(Dense d, reals inverse_mass, reals radius) {
+  return VARIED ? (real)2.5f * inverse_mass / (radius * radius) : (reals)(d.box->body.z);
 }
 
 // The springs of a slot in which somebody touches, before and after. place: of its mark.
@@ -89,6 +104,16 @@ INLINE void release_springs(Dense d, size_t place, int mark) {
   if (HISTORY && d.keeps && is_strained(mark)) d.new_marks[place] = mark & ~1;
 }
 
+// Who was in touch at the last boundary, kept as bits behind the mark.
+INLINE int touched_before(Dense d, size_t place) { return CORRECTED ? d.marks[place + HISTORY] : 0; }
+INLINE flags flags_in(int bits, int lane) {
+  return different(((indices)(bits) >> lanes_from(lane)) & 1, (indices)(0));
+}
+INLINE void note_touches(Dense d, size_t place, int before, flags touching) {
+  const int now = bits_of(touching);
+  if (d.keeps && now != before) d.new_marks[place + HISTORY] = now;
+}
+
 #define OVERLAPS_TOO_MUCH 1
 #define ROWS_ARE_SHORT 2
 
@@ -101,8 +126,81 @@ INLINE int give_row(Dense d, size_t place, int* mark) {
   return 0;
 }
 
+// Between particles that are all alike, the same for all contacts.
+typedef struct {
+  real rate, slip;
+} Alike;
+#define ARMS_VARY (ROTATION && (HISTORY_VARIANT & ARM_SHORTENED))
+
+INLINE real alike_refinement(real mobility, real stiffness, real damping, real step) {
+  const real braked = 1 + (real)0.5f * step * mobility * damping;
+  return braked / (braked + (real)0.5f * step * step * mobility * stiffness);
+}
+
+INLINE Alike alike_of(Dense d, PairLaw law, real step) {
+  const real4 body = d.box->body;
+  const real along = 2 * body.y, across = along + (ROTATION ? 2 * body.x * body.x * body.z : 0);
+  Alike a;
+  a.rate = alike_refinement(along, law.stiffness, law.damping + law.damping_root_mass * body.w, step);
+  a.slip = alike_refinement(across, law.spring, law.spring_damping + law.spring_damping_root_mass * body.w, step);
+  return a;
+}
+
+// Whether contacts begin, end or let go.
+INLINE bool any_event(Meeting m, flags was, PairLaw law, real duration) {
+  if (!CORRECTED || !(duration > 0)) return false;
+  flags some = m.touching ^ was;
+  if (law.lowest == 0) some = some | (m.touching & was & pulling(m, law));
+  return any_of(some);
+}
+
+// Contacts act, those that begin or end for as long as they last.
+INLINE void press(Dense d, Push* total, Meeting m, flags was, bool event, PairLaw law, Vectors* spring, real duration) {
+  Onset o;
+  if (event) o = onset_of(&m, was, law, spring, duration, d.box->zones.w);
+  const bool turns = HISTORY && CORRECTED && duration > 0 && any_of(turning_over(m, was, law, duration));
+  if (turns) turn_over(&m, was, law, spring, duration);
+  const Grasp g = push(total, m, law, spring);
+  if (event) correct(total, m, o, g, duration);
+}
+
+INLINE Vectors flat_against(Vectors v, Vectors normal) { return plus_scaled(v, normal, -inner(v, normal)); }
+
+// By the slip in the middle of the step, where spheres that roll round each other have another normal: `turn` is half a
+// step over their distance.
+INLINE void stretch_by_middles(Meeting* m, reals turn) {
+  const Vectors v = m->middle_velocity, normal = plus_scaled(m->normal, flat_against(v, m->normal), -turn);
+  const Vectors sliding = ROTATION ? less(v, outer(m->middle_sweep, normal)) : v;
+  m->stretching = flat_against(flat_against(sliding, normal), m->normal);
+}
+
+// What contacts leave of predicted rates and slips.
+INLINE void foresee(Meeting* m, reals mobility, PairLaw law, Alike alike, real duration) {
+  m->foreseen = alike.rate;
+  m->foreseen_slip = alike.slip;
+  if (VARIED) m->foreseen = refinement(duration, mobility, law.stiffness, dashpot_of(law, m->root_mass));
+  if (VARIED || ARMS_VARY)
+    m->foreseen_slip = refinement(duration, m->mobility, law.spring, spring_dashpot_of(law, m->root_mass));
+}
+
+// How bodies that stand at an overlap move against each other, the partners in `entry`.
+INLINE void compare_motion(Meeting* m, Bodies b, Quarter motion, Quarter turning, reals other_arm) {
+  m->velocity = less(b.velocity, xyz_of(motion));
+  m->sweep = ROTATION ? sweeps_of(b.spin, m->arm, xyz_of(turning), other_arm) : b.spin;
+}
+
+INLINE void compare_middles(Dense d, Meeting* m, Bodies b, Quarter motion, Quarter turning, reals other_arm,
+                            const global uint* entry) {
+  const Quarter middle = fetch(d.records, entry, MIDDLE);
+  m->middle_velocity = less(b.middle_velocity, xyz_of(middle));
+  m->middle_sweep = b.middle_spin;
+  Vectors spin = vectors(motion.w, turning.w, middle.w);
+  if (MIDDLE_SPIN_APART) spin = xyz_of(fetch(d.records, entry, MIDDLE + 1));
+  if (ROTATION) m->middle_sweep = sweeps_of(b.middle_spin, m->arm, spin, other_arm);
+}
+
 // Sums over the partners in one slot. Tells what must be heard of.
-INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, real duration) {
+INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, Alike alike, real duration) {
   const global uint* entry = d.list + (size_t)slot * GROUP + b.lane;
   const Quarter at = fetch(d.records, entry, 0);
   const phases x = b.x - phases_of(at.x), y = b.y - phases_of(at.y), z = b.z - phases_of(at.z);
@@ -114,37 +212,54 @@ INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, real
   const flags other = different(load_entries(entry), b.index * UNITS_A_RECORD);
   const size_t place = mark_at(slot, b.lane);
   int mark = HISTORY ? d.marks[place] : 0;
+  const int touched = touched_before(d, place);
   Meeting m;
   m.touching = (square < sigma * sigma * d.box->limits.z) & other;
   const bool looks_ahead = HISTORY && d.keeps && !has_row(mark);
   const reals wide = sigma + (looks_ahead ? (real)d.box->near.w : (real)0);
-  if (!any_of(looks_ahead ? (square < wide * wide) & other : m.touching)) {
+  if (!any_of(looks_ahead ? (square < wide * wide) & other : m.touching) && touched == 0) {
     release_springs(d, place, mark);
     return 0;
   }
   int heard = 0;
   if (looks_ahead) {
     heard = give_row(d, place, &mark);
-    if (!any_of(m.touching)) return heard;
+    if (!any_of(m.touching) && touched == 0) return heard;
   }
   const Quarter motion = fetch(d.records, entry, 1);
   const reals gap = square_gap(x, y, z, d.box->quantum, sum);
   m.touching = m.touching & (gap > 0);
   if (VARIED) m.touching = m.touching & (b.inverse_mass + motion.w > 0);
-  const reals distance = roots_of(m.touching ? square : (reals)(1)), reach = distance + sigma;
+  const flags was = CORRECTED ? flags_in(touched, b.lane) : m.touching;
+  const flags met = m.touching | was;
+  const reals distance = roots_of(met ? square : (reals)(1)), reach = distance + sigma;
   const reals inverse = 1 / (distance * reach);
-  m.overlap = m.touching ? gap * distance * inverse : (reals)(0);
+  m.overlap = met ? gap * distance * inverse : (reals)(0);
   m.normal = scaled(apart, reach * inverse);
-  m.velocity = less(b.velocity, xyz_of(motion));
   m.root_mass = VARIED ? roots_of(1 / (b.inverse_mass + motion.w)) : (reals)(d.box->body.w);
   m.arm = arm_of(b.radius, m.overlap, law.history);
   const reals radius = VARIED ? to_reals(phases_of(at.w)) * d.box->metre.w : (reals)(d.box->body.x);
-  m.sweep = b.spin;
-  if (ROTATION)
-    m.sweep = sweeps_of(b.spin, m.arm, xyz_of(fetch(d.records, entry, 2)), arm_of(radius, m.overlap, law.history));
+  const reals other_arm = arm_of(radius, m.overlap, law.history);
+  Quarter turning = motion;
+  if (ROTATION) turning = fetch(d.records, entry, 2);
+  compare_motion(&m, b, motion, turning, other_arm);
+  m.duration = duration;
+  if (CORRECTED) {
+    const reals mobility = b.inverse_mass + (VARIED ? motion.w : b.inverse_mass);
+    const reals other = inverse_inertia_of(d, motion.w, radius);
+    m.mobility = mobility;
+    if (ROTATION)
+      m.mobility = fma(m.arm * m.arm, inverse_inertia_of(d, b.inverse_mass, b.radius), fma(other_arm * other_arm, other, mobility));
+    foresee(&m, mobility, law, alike, duration);
+  }
+  if (PREDICTED && HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
+  if (PREDICTED && HISTORY) stretch_by_middles(&m, d.box->time.y * (reach * inverse));
+  const bool event = any_event(m, was, law, duration);
+  if (event && !HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
   Vectors spring = springs_before(d, mark);
-  push(total, m, law, &spring, duration);
+  press(d, total, m, was, event, law, &spring, duration);
   keep_springs(d, place, mark, spring);
+  if (CORRECTED && (event || !(duration > 0))) note_touches(d, place, touched, m.touching);
   const bool too_deep = any_of(m.overlap > d.box->limits.x * (radius < b.radius ? radius : b.radius));
   return heard | (too_deep ? OVERLAPS_TOO_MUCH : 0);
 }
@@ -153,8 +268,10 @@ INLINE int meet_pairs(Dense d, Push* total, Bodies b, real duration) {
   const int own = d.box->counts.w;
   PairLaw law = d.laws[own * d.box->counts.z + own];
   law.history = HISTORY_VARIANT;
+  Alike alike = {1, 1};
+  if (CORRECTED) alike = alike_of(d, law, duration);
   const int4 head = d.heads[b.group];
   int heard = 0;
-  for (int k = head.w; k < head.y; ++k) heard |= meet_slot(d, total, b, head.x + k, law, duration);
+  for (int k = head.w; k < head.y; ++k) heard |= meet_slot(d, total, b, head.x + k, law, alike, duration);
   return heard;
 }

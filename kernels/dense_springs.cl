@@ -3,9 +3,13 @@
 // Where springs lie. A span is the particles of a group that one work-item has, and their springs in a slot are a row
 // for each axis. Only those spans have rows in which somebody touches, or soon may. Of a span in a slot there is a mark:
 // 0 where it has none, else twice one more than where they are, and one on top where a spring in them is other than
-// zero; else they hold nothing of use. Rows of as many spans as a group has stand side by side.
+// zero; else they hold nothing of use. Rows of as many spans as a group has stand side by side. Where contacts are
+// corrected there is a second word: bits of those that were in touch at the last boundary.
 #define SPANS (GROUP / LANES)
-INLINE size_t mark_at(int slot, int lane) { return (size_t)slot * SPANS + lane / LANES; }
+#define MARK_WORDS (HISTORY + CORRECTED)
+INLINE size_t mark_at(int slot, int lane) { return ((size_t)slot * SPANS + lane / LANES) * MARK_WORDS; }
+INLINE size_t touch_at(int slot, int lane) { return mark_at(slot, lane) + HISTORY; }
+
 INLINE bool has_row(int mark) { return mark != 0; }
 INLINE bool is_strained(int mark) { return (mark & 1) != 0; }
 INLINE int mark_of_row(int row) { return 2 * (row + 1); }
@@ -23,7 +27,8 @@ INLINE size_t row_of(int mark) {
 #define SPRINGS_PACKED 3
 
 // While a list is made, springs other than zero are packed: those of a particle one after the other, with a pair's kept
-// by the one that stands first. The last one of a particle is marked; a particle without has no start.
+// by the one that stands first. The last one of a particle is marked; a particle without has no start. Where contacts
+// are corrected, all that are in touch are packed, by both.
 #define WALL_PARTNER 0x40000000u
 #define LAST_PARTNER 0x80000000u
 
@@ -55,15 +60,21 @@ INLINE void put_spring(global real* springs, global int* mark, int lane, real4 s
   *mark |= 1;
 }
 
-INLINE real4 former_spring(Former f, int old, uint partner, real sign) {
+// Below 0 where there is none.
+INLINE int place_packed(Former f, int old, uint partner) {
   int k = f.starts[old];
-  if (k < 0) return (real4)(0);
+  if (k < 0) return k;
   for (;; ++k) {
     const uint at = f.partners[k];
-    if ((at & ~LAST_PARTNER) == partner)
-      return (real4)(sign * f.packed[3 * k], sign * f.packed[3 * k + 1], sign * f.packed[3 * k + 2], 0);
-    if (at & LAST_PARTNER) return (real4)(0);
+    if ((at & ~LAST_PARTNER) == partner) return k;
+    if (at & LAST_PARTNER) return -1;
   }
+}
+
+INLINE real4 former_spring(Former f, int old, uint partner, real sign) {
+  const int k = place_packed(f, old, partner);
+  if (k < 0) return (real4)(0);
+  return (real4)(sign * f.packed[3 * k], sign * f.packed[3 * k + 1], sign * f.packed[3 * k + 2], 0);
 }
 
 // Of `old`; both as they stood then.

@@ -24,7 +24,7 @@ INLINE bool halts(global int* signals, int step, int item) {
 // Forces and torques at boundary `step`. Springs are stretched but before the first step.
 INLINE Push sum_up(Dense d, Bodies b, int step, global int* signals) {
   const real duration = step > 0 ? d.box->time.x : 0;
-  Push total = {no_sum(), no_sum(), d.box->body_units.x, d.box->body_units.y};
+  Push total = {no_sum(), no_sum(), no_sum(), no_sum(), no_sum(), false, d.box->body_units.x, d.box->body_units.y};
   int heard = meet_pairs(d, &total, b, duration);
   if (PLANES) heard |= meet_walls(d, &total, b, duration);
   if (heard & OVERLAPS_TOO_MUCH) atomic_min(signals_after(signals, step) + OVERLAPPED_AT, step);
@@ -37,22 +37,68 @@ INLINE Vectors acceleration_of(Dense d, Bodies b, Push p) {
   return plus_scaled(vectors(g.x, g.y, g.z), total_of(p.force, p.force_unit), b.inverse_mass);
 }
 
-INLINE reals inverse_inertia_of(Dense d, Bodies b) {
-  return VARIED ? (real)2.5f * b.inverse_mass / (b.radius * b.radius) : (reals)(d.box->body.z);
+INLINE Vectors spin_after(Dense d, Bodies b, Push p, real kick) {
+  const reals inverse = inverse_inertia_of(d, b.inverse_mass, b.radius);
+  Vectors spun = plus_scaled(b.spin, total_of(p.torque, p.torque_unit), inverse * kick);
+  if (CORRECTED) spun = plus_scaled(spun, total_of(p.twist, p.torque_unit), inverse * d.box->time.x);
+  return chosen(b.moves, spun, b.spin);
 }
 
-INLINE Vectors spin_after(Dense d, Bodies b, Push p, real kick) {
-  const Vectors spun = plus_scaled(b.spin, total_of(p.torque, p.torque_unit), inverse_inertia_of(d, b) * kick);
-  return chosen(b.moves, spun, b.spin);
+// What contacts that began or ended give besides their forces, in m/s: at once, and for the length of a step.
+INLINE Vectors kick_of(Dense d, Bodies b, Push p) {
+  return scaled(total_of(p.impulse, p.force_unit), b.inverse_mass * d.box->time.x);
+}
+
+INLINE Vectors shift_of(Dense d, Bodies b, Push p) {
+  const Vectors shift = scaled(total_of(p.moment, p.force_unit), b.inverse_mass * d.box->time.x);
+  return chosen(b.moves, shift, vectors(0, 0, 0));
+}
+
+INLINE void shift_bodies(Dense d, Bodies* b, Push p, global real* own) {
+  if (!p.corrected) return;
+  const Vectors shift = shift_of(d, *b, p);
+  const real4 drift = d.box->drift;
+  b->x = displaced(b->x, own, shift.x * drift.x);
+  b->y = displaced(b->y, own + GROUP, shift.y * drift.y);
+  b->z = displaced(b->z, own + 2 * GROUP, shift.z * drift.z);
+}
+
+INLINE void shift_for_sight(Dense d, Bodies* b, Push p) {
+  const Vectors shift = shift_of(d, *b, p);
+  const real4 drift = d.box->drift;
+  b->x = displaced_roughly(b->x, shift.x * drift.x);
+  b->y = displaced_roughly(b->y, shift.y * drift.y);
+  b->z = displaced_roughly(b->z, shift.z * drift.z);
+}
+
+INLINE void step_from_middle(Bodies* b) {
+  b->velocity = b->middle_velocity;
+  b->spin = b->middle_spin;
+}
+
+// Velocities of the middle of the step that begins become those that forces at its end take.
+INLINE void predict(Dense d, Bodies* b, Vectors acceleration, Push p) {
+  const real half_step = d.box->time.y;
+  b->middle_velocity = b->velocity;
+  b->velocity = chosen(b->moves, plus_scaled(b->velocity, acceleration, (reals)(half_step)), b->velocity);
+  if (!ROTATION) return;
+  b->middle_spin = b->spin;
+  const reals inverse = inverse_inertia_of(d, b->inverse_mass, b->radius);
+  b->spin = chosen(b->moves, plus_scaled(b->spin, total_of(p.torque, p.torque_unit), inverse * half_step), b->spin);
 }
 
 INLINE void store_bodies(global real4* records, Bodies b) {
   const Quarter at = {bits_of_phases(b.x), bits_of_phases(b.y), bits_of_phases(b.z), bits_of_phases(b.radius_phase)};
-  const Quarter motion = {b.velocity.x, b.velocity.y, b.velocity.z, b.inverse_mass};
+  const bool turns = MIDDLE_SPIN_PACKED;
+  const Quarter motion = {b.velocity.x, b.velocity.y, b.velocity.z, turns ? b.middle_spin.x : b.inverse_mass};
   store_own(records, b.first, 0, at);
   store_own(records, b.first, 1, motion);
-  const Quarter spin = {b.spin.x, b.spin.y, b.spin.z, 0};
+  const Quarter spin = {b.spin.x, b.spin.y, b.spin.z, turns ? b.middle_spin.y : 0};
   if (ROTATION) store_own(records, b.first, 2, spin);
+  const Quarter middle = {b.middle_velocity.x, b.middle_velocity.y, b.middle_velocity.z, turns ? b.middle_spin.z : 0};
+  if (PREDICTED) store_own(records, b.first, MIDDLE, middle);
+  const Quarter middle_spin = {b.middle_spin.x, b.middle_spin.y, b.middle_spin.z, 0};
+  if (MIDDLE_SPIN_APART) store_own(records, b.first, MIDDLE + 1, middle_spin);
 }
 
 // Signals what must be heard of before the step after the next boundary.
@@ -81,13 +127,18 @@ kernel void dense_step(DENSE_PARAMETERS, global real4* moved, global int* signal
   Bodies b = load_bodies(d, get_global_id(0));
   const Push p = sum_up(d, b, step, signals);
   const real kick = step > 0 ? d.box->time.x : d.box->time.y;
-  const Vectors change = scaled(acceleration_of(d, b, p), kick);
+  const Vectors acceleration = acceleration_of(d, b, p);
+  Vectors change = scaled(acceleration, kick);
+  if (PREDICTED) step_from_middle(&b);
+  if (CORRECTED) change = plus_scaled(change, kick_of(d, b, p), (reals)(1));
   if (ROTATION) b.spin = spin_after(d, b, p, kick);
   global real* own = d.kept + (size_t)b.group * (KEPT * GROUP) + b.lane;
+  if (CORRECTED) shift_bodies(d, &b, p, own);
   const real4 drift = d.box->drift;
   b.x = kick_and_move(b.x, &b.velocity.x, own, own + 3 * GROUP, change.x, drift.x, b.moves);
   b.y = kick_and_move(b.y, &b.velocity.y, own + GROUP, own + 4 * GROUP, change.y, drift.y, b.moves);
   b.z = kick_and_move(b.z, &b.velocity.z, own + 2 * GROUP, own + 5 * GROUP, change.z, drift.z, b.moves);
+  if (PREDICTED) predict(d, &b, acceleration, p);
   store_bodies(moved, b);
   if (runs_wild(d, b)) atomic_min(signals_after(signals, step) + ESCAPED_AT, step + 1);
   watch(d, b, step, signals);
@@ -100,7 +151,11 @@ kernel void dense_report(DENSE_PARAMETERS, global real4* seen, global int* signa
   Bodies b = load_bodies(d, get_global_id(0));
   const Push p = sum_up(d, b, step, signals);
   const real kick = step > 0 ? d.box->time.y : 0;
-  b.velocity = chosen(b.moves, plus_scaled(b.velocity, acceleration_of(d, b, p), (reals)(kick)), b.velocity);
+  if (PREDICTED) step_from_middle(&b);
+  Vectors velocity = plus_scaled(b.velocity, acceleration_of(d, b, p), (reals)(kick));
+  if (CORRECTED) velocity = plus_scaled(velocity, kick_of(d, b, p), (reals)(1));
+  b.velocity = chosen(b.moves, velocity, b.velocity);
   if (ROTATION) b.spin = spin_after(d, b, p, kick);
+  if (CORRECTED) shift_for_sight(d, &b, p);
   store_bodies(seen, b);
 }

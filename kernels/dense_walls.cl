@@ -29,21 +29,34 @@ INLINE int meet_plane(Dense d, Push* total, Bodies b, Places p, const global Den
   m.overlap = rounded(radius - (p.x * n.x + p.y * n.y + p.z * n.z - n.w));
   m.touching = (m.overlap > 0) & b.moves;
   const size_t place = mark_at(slot, b.lane);
-  const int mark = HISTORY ? d.marks[place] : 0;
-  if (!any_of(m.touching)) {
+  const int mark = HISTORY ? d.marks[place] : 0, touched = touched_before(d, place);
+  if (!any_of(m.touching) && touched == 0) {
     release_springs(d, place, mark);
     return 0;
   }
   const PairLaw law = d.laws[d.box->counts.w * d.box->counts.z + plane->wall.x];
-  m.overlap = m.touching ? m.overlap : (reals)(0);
+  const flags was = CORRECTED ? flags_in(touched, b.lane) : m.touching, met = m.touching | was;
+  m.overlap = met ? m.overlap : (reals)(0);
   m.normal = vectors((real)n.x, (real)n.y, (real)n.z);
   m.velocity = b.velocity;
-  m.root_mass = roots_of(1 / (m.touching ? b.inverse_mass : (reals)(1)));
+  m.root_mass = roots_of(1 / (met ? b.inverse_mass : (reals)(1)));
   m.arm = arm_of(b.radius, m.overlap, law.history);
   m.sweep = scaled(b.spin, m.arm);
+  m.middle_velocity = b.middle_velocity;
+  m.middle_sweep = scaled(b.middle_spin, m.arm);
+  m.duration = duration;
+  if (PREDICTED && HISTORY) stretch_by_middles(&m, (reals)(0));
+  if (CORRECTED) {
+    m.mobility = b.inverse_mass;
+    if (ROTATION) m.mobility = fma(m.arm * m.arm, inverse_inertia_of(d, b.inverse_mass, b.radius), b.inverse_mass);
+    m.foreseen = refinement(duration, b.inverse_mass, law.stiffness, dashpot_of(law, m.root_mass));
+    if (HISTORY) m.foreseen_slip = refinement(duration, m.mobility, law.spring, spring_dashpot_of(law, m.root_mass));
+  }
+  const bool event = any_event(m, was, law, duration);
   Vectors spring = springs_before(d, mark);
-  push(total, m, law, &spring, duration);
+  press(d, total, m, was, event, law, &spring, duration);
   keep_springs(d, place, mark, spring);
+  if (CORRECTED && (event || !(duration > 0))) note_touches(d, place, touched, m.touching);
   return any_of(m.overlap > d.box->limits.x * b.radius) ? OVERLAPS_TOO_MUCH : 0;
 }
 

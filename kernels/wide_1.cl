@@ -27,6 +27,7 @@ INLINE flags different(indices a, indices b) { return a != b; }
 INLINE indices lanes_from(int first) { return first; }
 INLINE flags below(indices a, int b) { return a < b; }
 INLINE bool any_of(flags f) { return f != 0; }
+INLINE int bits_of(flags f) { return f & 1; }
 INLINE flags flags_of(int f) { return f; }
 
 INLINE Quarter quarter_of(real4 v) {

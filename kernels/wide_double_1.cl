@@ -13,6 +13,8 @@ INLINE phase4 phase4_of(real4 bits) { return as_long4(bits); }
 
 // Nothing is kept: a unit is far below what rounding leaves of a place elsewhere.
 #define KEPT 0
+INLINE bare_phase displaced(bare_phase p, global real* part, real move) { return p + (ulong)(long)move; }
+INLINE bare_phase displaced_roughly(bare_phase p, real move) { return p + (ulong)(long)move; }
 INLINE bare_phase kick_and_move(bare_phase p, real* velocity, global real* part, global real* rest, real change,
                                 real drift, int moves) {
   *velocity = moves ? *velocity + change : *velocity;

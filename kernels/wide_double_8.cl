@@ -53,6 +53,12 @@ INLINE bool any_of(flags f) {
   const long2 d = c.lo | c.hi;
   return (d.x | d.y) != 0;
 }
+INLINE int bits_of(flags f) {
+  const long8 bits = f & (long8)(1, 2, 4, 8, 16, 32, 64, 128);
+  const long4 c = bits.lo | bits.hi;
+  const long2 d = c.lo | c.hi;
+  return (int)(d.x | d.y);
+}
 
 // Two by two in place of all at once: every line is one instruction.
 INLINE Quarter transposed(double8 a, double8 b, double8 c, double8 d) {
@@ -114,6 +120,8 @@ INLINE lengths cells_entered(phases now, phases then) {
 
 // Nothing is kept: a unit is far below what rounding leaves of a place elsewhere.
 #define KEPT 0
+INLINE phases displaced(phases p, global real* part, reals move) { return p + convert_long8(move); }
+INLINE phases displaced_roughly(phases p, reals move) { return p + convert_long8(move); }
 INLINE phases kick_and_move(phases p, reals* velocity, global real* part, global real* rest, reals change, real drift,
                             flags moves) {
   *velocity = moves ? *velocity + change : *velocity;

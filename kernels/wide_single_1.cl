@@ -14,6 +14,17 @@ INLINE phase4 phase4_of(real4 bits) { return as_int4(bits); }
 // What is left of a position below a unit, and what rounding left out of a velocity.
 #define KEPT 6
 
+INLINE bare_phase displaced(bare_phase p, global real* part, real move) {
+  const int leap = (int)move;
+  const real left = *part + (move - (real)leap);
+  const int more = (int)left;
+  *part = left - (real)more;
+  return p + (uint)leap + (uint)more;
+}
+
+// To within a unit, for those that only look.
+INLINE bare_phase displaced_roughly(bare_phase p, real move) { return p + (uint)(int)move; }
+
 // Kicks a velocity along an axis and moves with it, losing nothing: docs/precision.md.
 INLINE bare_phase kick_and_move(bare_phase p, real* velocity, global real* part, global real* rest, real change,
                                 real drift, int moves) {
@@ -21,10 +32,5 @@ INLINE bare_phase kick_and_move(bare_phase p, real* velocity, global real* part,
   const real y = change + left_out, sum = *velocity + y, seen = sum - *velocity;
   *rest = moves ? (*velocity - (sum - seen)) + (y - seen) : left_out;
   *velocity = moves ? sum : *velocity;
-  const real move = moves ? sum * drift : 0;
-  const int leap = (int)move;
-  const real left = *part + (move - (real)leap);
-  const int more = (int)left;
-  *part = left - (real)more;
-  return p + (uint)leap + (uint)more;
+  return displaced(p, part, moves ? sum * drift : 0);
 }

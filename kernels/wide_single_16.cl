@@ -57,6 +57,13 @@ INLINE bool any_of(flags f) {
   const int2 e = d.lo | d.hi;
   return (e.x | e.y) != 0;
 }
+INLINE int bits_of(flags f) {
+  const int16 bits = f & (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
+  const int8 c = bits.lo | bits.hi;
+  const int4 d = c.lo | c.hi;
+  const int2 e = d.lo | d.hi;
+  return e.x | e.y;
+}
 
 // Two by two in place of all at once: every line is one instruction.
 INLINE Quarter transposed(float16 a, float16 b, float16 c, float16 d) {
@@ -134,6 +141,17 @@ INLINE lengths cells_entered(phases now, phases then) {
 // unit, and what rounding left out of its velocity.
 #define KEPT 6
 
+INLINE phases displaced(phases p, global real* part, reals move) {
+  const int16 leap = convert_int16(move);
+  const reals left = load_reals(part) + (move - convert_float16(leap));
+  const int16 more = convert_int16(left);
+  store_reals(part, left - convert_float16(more));
+  return p + leap + more;
+}
+
+// To within a unit, for those that only look.
+INLINE phases displaced_roughly(phases p, reals move) { return p + convert_int16(move); }
+
 // Kicks a velocity along an axis and moves with it, losing nothing: docs/precision.md.
 INLINE phases kick_and_move(phases p, reals* velocity, global real* part, global real* rest, reals change, real drift,
                             flags moves) {
@@ -141,12 +159,7 @@ INLINE phases kick_and_move(phases p, reals* velocity, global real* part, global
   const reals y = change + left_out, sum = *velocity + y, seen = sum - *velocity;
   store_reals(rest, moves ? (*velocity - (sum - seen)) + (y - seen) : left_out);
   *velocity = moves ? sum : *velocity;
-  const reals move = moves ? sum * drift : 0;
-  const int16 leap = convert_int16(move);
-  const reals left = load_reals(part) + (move - convert_float16(leap));
-  const int16 more = convert_int16(left);
-  store_reals(part, left - convert_float16(more));
-  return p + leap + more;
+  return displaced(p, part, moves ? sum * drift : 0);
 }
 
 INLINE flags flags_of(long16 f) { return convert_int16(f); }

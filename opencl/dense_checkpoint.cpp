@@ -71,12 +71,14 @@ void DenseList::pack_into(Sections& own, const DenseWorld& world) const {
   const auto slots = static_cast<std::size_t>(slots_);
   pack_one(own, "list.slots", slots_);
   pack_buffer(own, "list.entries", workshop_, world.list, slots * group_ * sizeof(cl_uint));
+  if (mark_words(options_) > 0)
+    pack_buffer(own, "list.marks", workshop_, world.marks,
+                slots * spans_ * mark_words(options_) * sizeof(cl_int));
   if (!options_.history) return;
   pack_one(own, "list.rows", rows_);
   pack_one(own, "list.row_room", row_room_);
   pack_one(own, "list.reserve", reserve_);
   pack_buffer(own, "list.springs", workshop_, world.springs);
-  pack_buffer(own, "list.marks", workshop_, world.marks, slots * spans_ * sizeof(cl_int));
 }
 
 // With room for no more slots than there are: the next list makes its own. Of rows as many as there were,
@@ -85,12 +87,12 @@ void DenseList::unpack_from(const Sections& own, DenseWorld& world) {
   unpack_one(own, "list.slots", slots_);
   world.list = unpacked_buffer(own, "list.entries", workshop_);
   room_ = slots_;
+  if (mark_words(options_) > 0) world.marks = unpacked_buffer(own, "list.marks", workshop_);
   if (!options_.history) return;
   unpack_one(own, "list.rows", rows_);
   unpack_one(own, "list.row_room", row_room_);
   unpack_one(own, "list.reserve", reserve_);
   world.springs = unpacked_buffer(own, "list.springs", workshop_);
-  world.marks = unpacked_buffer(own, "list.marks", workshop_);
 }
 
 }  // namespace grainproof::opencl

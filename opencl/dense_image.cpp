@@ -7,6 +7,7 @@
 
 #include "model/strides.hpp"
 #include "opencl/bytes.hpp"
+#include "opencl/flow_terms.hpp"
 #include "opencl/near_walls.hpp"
 #include "opencl/pair_laws.hpp"
 
@@ -87,6 +88,7 @@ class DenseImager {
       b.domain_lower.s[axis] = grid_.periodic[k] ? -HUGE_VAL : scene_.domain.lower[axis];
       b.domain_upper.s[axis] = grid_.periodic[k] ? HUGE_VAL : scene_.domain.upper[axis];
     }
+    if (options_.corrected) b.zones.s[3] = flow_terms(scene_, twice ? 0x1p-58 : 0x1p-29);
     b.counts = {{static_cast<cl_int>(scene_.particles.size()),
                  static_cast<cl_int>(near_walls(scene_).planes.size()),
                  static_cast<cl_int>(scene_.materials.size()), p.material}};
@@ -122,7 +124,9 @@ class DenseImager {
   /// By how much two bodies may come closer in a step.
   double approach() const { return 0.25 * grid_.skin; }
   double fastest_square() const {
-    const double fastest = 0.45 * approach() / scene_.run.step;
+    // What corrections move bodies by comes on top.
+    const double share = options_.corrected ? 0.3 : 0.45;
+    const double fastest = share * approach() / scene_.run.step;
     return all_are_near() ? HUGE_VAL : fastest * fastest;
   }
 
@@ -132,7 +136,9 @@ class DenseImager {
     const double margin = 8.0 * unit + 1e-6 * (2 * grid_.largest_radius + grid_.skin);
     const double reach = grid_.skin + margin;
     // Springs are carried over for near partners alone: whoever touches is one, at any skin.
-    const double near = (all_are_near() ? grid_.skin : 0.02 * diameter) + margin;
+    // A contact that has just ended is still corrected with its spring.
+    const double parted = options_.corrected ? 0.3 * grid_.skin : 0.0;
+    const double near = (all_are_near() ? grid_.skin : std::max(0.02 * diameter, parted)) + margin;
     for (int axis = 0; axis < 3; ++axis)
       b.coarse_metre.s[axis] = static_cast<cl_float>(std::ldexp(grid_.extent[axis], -32));
     b.coarse_metre.s[3] = static_cast<cl_float>(reach);
@@ -183,7 +189,16 @@ class DenseImager {
       phases[3] = static_cast<Phase>(std::nearbyint(p.diameter / 2 / radius_unit()));
       std::memcpy(&records[i * quarters], phases.data(), sizeof(phases));
       records[i * quarters + 1] = four_of<P>(p.velocity, p.fixed ? 0.0 : 1.0 / mass_of(p, scene_));
-      if (quarters > 2) records[i * quarters + 2] = four_of<P>(p.angular_velocity);
+      if (options_.rotation) records[i * quarters + 2] = four_of<P>(p.angular_velocity);
+      if (options_.predicted) {
+        const std::size_t middle = i * quarters + static_cast<std::size_t>(middle_quarter(options_));
+        records[middle] = four_of<P>(p.velocity);
+        if (options_.rotation && options_.varied) records[middle + 1] = four_of<P>(p.angular_velocity);
+        if (options_.rotation && !options_.varied)
+          for (std::size_t k = 0; k < 3; ++k)
+            records[i * quarters + 1 + k].s[3] =
+                static_cast<Real>(p.angular_velocity[static_cast<Eigen::Index>(k)]);
+      }
     }
     image.records = bytes_of(records);
     image.kept = bytes_of(kept);
@@ -208,7 +223,7 @@ DenseBody decoded_as(const DenseRecords& read, std::size_t i, const DenseOptions
     const auto v = value_at<typename P::Real4>(read.records, i * quarters + quarter);
     return Vec3(v.s[0], v.s[1], v.s[2]);
   };
-  DenseBody body{Vec3::Zero(), vector(1), quarters > 2 ? vector(2) : Vec3::Zero()};
+  DenseBody body{Vec3::Zero(), vector(1), options.rotation ? vector(2) : Vec3::Zero()};
   const cl_int cells = value_at<cl_int>(read.cells, i);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);

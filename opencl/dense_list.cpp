@@ -117,7 +117,7 @@ void DenseList::build(DenseWorld& world, Program& program, int turn, std::int64_
                                      : std::max(reserve_, (rows_taken - rows_) * 9 / 8);
   const auto other = static_cast<std::size_t>(1 - turn);
   const Scratch& scratch = scratch_[other];
-  if (options_.history) pack_springs(world, program, scratch);
+  if (mark_words(options_) > 0) pack_springs(world, program, scratch);
   fill_zones(world, program, turn, scratch);
   workshop_.launch(program, "dense_coarse", {padded_, work_group_}, world.box, members_,
                    scratch.zone_of_particle, world.records[1 - other], world.cells, scratch.zones_of,
@@ -137,7 +137,8 @@ void DenseList::pack_springs(DenseWorld& world, Program& program, const Scratch&
     packed_room_ = with_slack(totals[springs_packed]);
     partners_ = packed_ = {};
     partners_ = workshop_.room(sizeof(cl_uint) * static_cast<std::size_t>(packed_room_));
-    packed_ = workshop_.room(3 * real_bytes(options_) * static_cast<std::size_t>(packed_room_));
+    const std::size_t reals = options_.history ? 3 * static_cast<std::size_t>(packed_room_) : 16;
+    packed_ = workshop_.room(reals * real_bytes(options_));
   }
 }
 
@@ -223,7 +224,8 @@ void DenseList::make_room(DenseWorld& world) {
   room_ = with_slack(slots_);
   world.list = world.marks = {};
   world.list = workshop_.room(sizeof(cl_uint) * static_cast<std::size_t>(room_) * group_);
-  world.marks = workshop_.room(sizeof(cl_int) * static_cast<std::size_t>(room_) * spans_);
+  world.marks = workshop_.room(sizeof(cl_int) * std::max<std::size_t>(mark_words(options_), 1) *
+                               static_cast<std::size_t>(room_) * spans_);
 }
 
 void DenseList::make_row_room(DenseWorld& world) {

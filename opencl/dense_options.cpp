@@ -17,13 +17,18 @@ constexpr std::size_t most_planes = 30;
 /// What the unit of force is made for: DenseImager::sum_unit.
 constexpr double most_friction = 4.0;
 
+bool predicts(const Scene& scene) {
+  return scene.run.integrator == Integrator::velocity_verlet_predicted ||
+         scene.run.integrator == Integrator::onset_corrected;
+}
+
 Support dynamics_supported(const Scene& scene, const Request& request) {
   if (request.ledger) return Support::no("the ledger is kept by the zoned path");
   if (!std::holds_alternative<ConstantGravity>(scene.gravity)) return Support::no("gravity is not constant");
   if (!std::holds_alternative<NoFlow>(scene.flow)) return Support::no("there is a fluid");
   if (scene.orientation != OrientationUpdate::none) return Support::no("orientations are asked for");
   if (!scene.remembered.empty()) return Support::no("contacts remember something at the start");
-  if (scene.run.integrator != Integrator::velocity_verlet &&
+  if (!predicts(scene) && scene.run.integrator != Integrator::velocity_verlet &&
       scene.run.integrator != Integrator::leapfrog_verlet)
     return Support::no("the integrator is not of Verlet's kind");
   return {};
@@ -64,8 +69,11 @@ Support box_supported(const Scene& scene, double skin) {
 
 }  // namespace
 
-Support dense_support(const Scene& scene, const Request& request, double skin) {
+Support dense_support(const Scene& scene, const Request& request, double skin, bool one) {
   if (scene.particles.empty()) return Support::no("there are no particles");
+  // Who was in touch is kept as bits of the particles of a work-item.
+  if (one && scene.run.integrator == Integrator::onset_corrected)
+    return Support::no("onset_corrected needs many particles a work-item");
   if (const Support s = dynamics_supported(scene, request); !s) return s;
   const auto material = static_cast<std::size_t>(scene.particles.front().material);
   double smallest = scene.particles.front().diameter, largest = smallest;
@@ -106,6 +114,8 @@ DenseOptions dense_options(const Scene& scene, Precision precision, bool one) {
     o.history_variant = remembers | (pair.history.limit == CoulombLimit::spring ? limit_on_spring : 0) |
                         (pair.history.arm == TorqueArm::overlap ? arm_shortened : 0) |
                         (pair.history.turn == SpringTurn::project ? turn_projects : 0);
+  o.predicted = predicts(scene);
+  o.corrected = scene.run.integrator == Integrator::onset_corrected;
   o.varied = std::any_of(scene.particles.begin(), scene.particles.end(),
                          [&](const Particle& p) { return p.fixed || p.diameter != any.diameter; });
   return o;
@@ -122,8 +132,12 @@ std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
     add({twice ? "wide_double_1.cl" : "wide_single_1.cl", "wide_1.cl"});
   else
     add({twice ? "wide_double_8.cl" : "wide_single_16.cl"});
-  add({"dense_box.cl", o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl", "dense_contact.cl",
-       "dense_springs.cl", "dense_pairs.cl", "dense_walls.cl", "dense_step.cl", "dense_order.cl",
+  add({"dense_box.cl", o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl", "dense_contact.cl"});
+  if (o.corrected)
+    add({"dense_flow.cl", "dense_onset.cl"});
+  else
+    add({"dense_onset_none.cl"});
+  add({"dense_springs.cl", "dense_pairs.cl", "dense_walls.cl", "dense_step.cl", "dense_order.cl",
        "dense_near.cl", "dense_pack.cl"});
   if (o.one)
     add({"dense_list_each.cl"});
@@ -139,7 +153,8 @@ std::string dense_definitions(const DenseOptions& o) {
   return set("PERIODIC_X", 0) + set("PERIODIC_Y", 0) + set("PERIODIC_Z", 0) + set("MANY_MATERIALS", 0) +
          set("FRICTION", o.friction) + set("HISTORY", o.history) + set("ROTATION", o.rotation) +
          set("PLANES", o.planes) + set("VARIED", o.varied) + set("HISTORY_VARIANT", o.history_variant) +
-         set("QUARTERS", quarters_of(o)) + set("MOST_PARTNERS", o.most_partners) + set("WINDOW", window_size);
+         set("PREDICTED", o.predicted) + set("CORRECTED", o.corrected) + set("QUARTERS", quarters_of(o)) +
+         set("MOST_PARTNERS", o.most_partners) + set("WINDOW", window_size);
 }
 
 }  // namespace grainproof::opencl

@@ -11,7 +11,7 @@ namespace grainproof::opencl {
 
 /// Whether the dense path can take a scene: one kind of linear contact between many spheres, planes, constant
 /// gravity. `no` says what it lacks. Pure: no device is asked.
-Support dense_support(const Scene& scene, const Request& request, double skin);
+Support dense_support(const Scene& scene, const Request& request, double skin, bool one = false);
 
 /// What a program of the dense path must be able to do for a scene, and nothing else.
 struct DenseOptions {
@@ -21,6 +21,8 @@ struct DenseOptions {
   int history_variant = 0;  ///< HistoryBit, of the law between particles
   bool rotation = false;
   bool planes = false;
+  bool predicted = false;  ///< forces take velocities predicted for the boundary
+  bool corrected = false;  ///< contacts that begin or end act for as long as they last
   bool varied = false;     ///< particles differ in size, or some are fixed
   bool canonical = false;  ///< sums do not depend on the order of contacts
   bool one = false;        ///< particle a work-item: kernels/wide_*_1.cl
@@ -53,9 +55,22 @@ constexpr int spans_of(const DenseOptions& options) {
 /// Particles in order of zones that are searched for, and then put in order of their counts, together.
 inline constexpr int window_size = 128;
 
-/// Vectors of four that a particle has: place, motion and, where bodies turn, spin.
+/// Vectors of four that a particle has: place, motion and, where bodies turn, spin; where velocities are
+/// predicted also motion in the middle of the step, and the spin there, which has
+/// the fourth places of the three before where particles are all alike.
 constexpr int quarters_of(const DenseOptions& options) {
+  const bool spin_apart = options.predicted && options.rotation && options.varied;
+  return 2 + (options.rotation ? 1 : 0) + (options.predicted ? 1 : 0) + (spin_apart ? 1 : 0);
+}
+
+/// Where those of the middle begin.
+constexpr int middle_quarter(const DenseOptions& options) {
   return options.rotation ? 3 : 2;
+}
+
+/// Words that a slot of the list has besides its entries, kernels/dense_springs.cl.
+constexpr std::size_t mark_words(const DenseOptions& options) {
+  return (options.history ? 1 : 0) + (options.corrected ? 1 : 0);
 }
 
 /// What the entries of a list count in: eight bytes, kernels/wide_*.cl.

@@ -128,10 +128,14 @@ std::vector<ContactMemory> DenseRun::memories() {
   const auto slots = static_cast<std::size_t>(list_.slots());
   const std::size_t real = options_.precision == Precision::double_precision ? 8 : 4;
   const auto lanes = static_cast<std::size_t>(lanes_of(options_)), spans = group() / lanes;
-  std::vector<cl_int> marks(slots * spans);
+  const std::size_t words = mark_words(options_);
+  std::vector<cl_int> marks(slots * spans * words);
   Bytes springs(list_.springs_bytes());
   const cl::Buffer on_device = workshop_->room(springs.size()), marked = workshop_->upload(bytes_of(marks));
+  // Whoever only looks takes no rows.
+  const DenseSignals signals = read_signals();
   report(on_device, marked, true);
+  workshop_->write(signals_, std::as_bytes(std::span(&signals, 1)));
   workshop_->read(on_device, springs);
   workshop_->read(marked, std::as_writable_bytes(std::span(marks)));
   const DenseLists lists = read_lists();
@@ -144,7 +148,7 @@ std::vector<ContactMemory> DenseRun::memories() {
     for (std::size_t k = 0; k < static_cast<std::size_t>(lists.heads[g].s[1]); ++k) {
       const std::size_t slot = static_cast<std::size_t>(lists.heads[g].s[0]) + k;
       for (std::size_t lane = 0; lane < group(); ++lane) {
-        const cl_int mark = marks[slot * spans + lane / lanes];
+        const cl_int mark = marks[(slot * spans + lane / lanes) * words];
         if ((mark & 1) == 0) continue;
         const std::size_t row = static_cast<std::size_t>(mark) / 2 - 1;
         Vec3 v;

@@ -26,10 +26,10 @@ bool takes_small_path(Path path, const Scene& scene) {
 constexpr std::size_t fewest_dense = 512;
 
 /// Throws EngineFailed where the dense path is asked for and cannot be had.
-bool takes_dense_path(Path path, const Scene& scene, const Request& request, double skin) {
+bool takes_dense_path(Path path, const Scene& scene, const Request& request, double skin, bool one) {
   if (path != Path::dense && path != Path::automatic) return false;
   if (path == Path::automatic && scene.particles.size() < fewest_dense) return false;
-  const Support support = dense_support(scene, request, skin);
+  const Support support = dense_support(scene, request, skin, one);
   if (path == Path::dense && !support)
     throw EngineFailed("the dense path cannot take it: " + support.because);
   return support.yes;
@@ -94,11 +94,11 @@ std::unique_ptr<RestorableRun> OpenClEngine::begin(const Scene& scene, const Req
   const bool searched = !options_.skin && scene.run.skin == RunSettings::searched_skin;
   const double wanted = searched ? first_skin(scene) : options_.skin.value_or(given_or_usual_skin(scene));
   const double skin = skin_for_endings(scene, wanted);
-  if (!small && takes_dense_path(options_.path, scene, request, skin))
-    return std::make_unique<DenseRun>(
-        workshop_, scene,
-        dense_options(scene, options_.precision, takes_one(options_.width, workshop_->is_gpu())), skin,
-        searched);
+  const bool one = takes_one(options_.width, workshop_->is_gpu());
+  if (!small && takes_dense_path(options_.path, scene, request, skin, one))
+    // A search would go below what endings need.
+    return std::make_unique<DenseRun>(workshop_, scene, dense_options(scene, options_.precision, one), skin,
+                                      searched && scene.run.integrator != Integrator::onset_corrected);
   BuildOptions build = build_options(scene, request, options_.precision, small);
   if (options_.stages == Stages::full) build = with_every_stage(build);
   if (small) return std::make_unique<SmallRun>(workshop_, scene, build);

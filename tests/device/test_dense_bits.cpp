@@ -91,6 +91,14 @@ TEST(DenseBits, OfCanonicalOrderAreTheSameByOneAndByMany) {
   }
 }
 
+TEST(DenseBits, OfPredictedVelocitiesAreTheSameByOneAndByMany) {
+  for (const double spread : {0.0, 0.2}) {
+    Scene scene = bed(SumOrder::canonical, spread);
+    scene.run.integrator = Integrator::velocity_verlet_predicted;
+    EXPECT_EQ(ended(by_one(dense(0.004)), scene).digest, ended(dense(0.004), scene).digest);
+  }
+}
+
 TEST(DenseBits, ByOneDoNotDependOnHowStepsAreAskedFor) {
   const Scene scene = bed(SumOrder::fast, 0.2);
   const Ended once = ended(by_one(dense(0.002)), scene);

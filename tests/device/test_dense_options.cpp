@@ -65,6 +65,11 @@ TEST(DensePath, LeavesOtherFieldsToTheZonedPath) {
   scene.flow = UniformFlow{1e-3, Vec3::Zero()};
   expect_refused(scene, "fluid");
   scene = crowded_scene({});
+  for (const Integrator taken : {Integrator::velocity_verlet_predicted, Integrator::onset_corrected}) {
+    scene = crowded_scene({});
+    scene.run.integrator = taken;
+    EXPECT_TRUE(support(scene));
+  }
   scene.run.integrator = Integrator::euler_trapezoid;
   expect_refused(scene, "Verlet");
   scene = crowded_scene({});
@@ -104,6 +109,16 @@ TEST(DenseOptions, TakeOneParticleAWorkItemOnAGpu) {
     EXPECT_EQ(window_size % group_size(one), 0);
     EXPECT_EQ(spans_of(dense_options(crowded_scene({}), precision)), 1);
   }
+}
+
+TEST(DensePath, LeavesContactsThatBeginOrEndToTheZonedPathWhereItTakesParticlesOneByOne) {
+  Scene scene = crowded_scene({});
+  scene.run.integrator = Integrator::velocity_verlet_predicted;
+  EXPECT_TRUE(dense_support(scene, {}, skin, true));
+  scene.run.integrator = Integrator::onset_corrected;
+  const Support seen = dense_support(scene, {}, skin, true);
+  EXPECT_FALSE(seen);
+  EXPECT_NE(seen.because.find("onset_corrected"), std::string::npos) << seen.because;
 }
 
 TEST(DenseOptions, FollowFromTheSceneAlone) {

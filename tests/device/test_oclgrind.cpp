@@ -92,6 +92,12 @@ TEST_F(OclgrindOnce, FindsNothingInTheDensePathByOne) {
     expect_clean(run_driver(checker, std::string("single dense_by_one ") + scene + " 16 20"));
 }
 
+TEST_F(OclgrindOnce, FindsNothingInTheDensePathOfContactsThatBeginOrEnd) {
+  for (const char* how : {"single dense onset", "double dense onset_turning",
+                          "single dense predicted_turning", "single dense_by_one predicted_turning"})
+    expect_clean(run_driver(checker, std::string(how) + " 16 20"));
+}
+
 TEST_F(OclgrindOnce, FindsNothingInTheDensePathInCanonicalOrder) {
   for (const char* precision : {"single", "double"})
     expect_clean(run_driver(checker, precision + std::string(" dense turning_liggghts 16 12 canonical")));
@@ -132,6 +138,8 @@ std::set<std::string> files_run_above() {
       options.one = one;
       add(dense_kernel_files(options, false));
     }
+    scene.run.integrator = Integrator::onset_corrected;
+    add(dense_kernel_files(dense_options(scene, Precision::double_precision), false));
   }
   return files;
 }
