@@ -52,13 +52,13 @@ class SpringTouch : protected AnyTouch<turning, true, NoLog> {
     if (!laws.spring.present()) return Vec3::Zero();
     const Vec3 slip = point.relative_velocity - point.relative_velocity.dot(point.normal) * point.normal;
     return spring_friction(laws, point, slip, std::numeric_limits<double>::infinity(),
-                           {now.shear.stiffness, 0.0}, this->history_.elapsed(), springs);
+                           {now.shear.stiffness, 0.0}, slip * this->history_.elapsed(), springs);
   }
 
   void roll(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
             ContactSprings& springs) {
-    this->resist_rolling(laws, meet, arms, point, std::numeric_limits<double>::infinity(),
-                         this->history_.elapsed(), springs);
+    this->resist_rolling(laws, meet, this->rolling_spin(laws, meet, arms), point,
+                         std::numeric_limits<double>::infinity(), this->history_.elapsed(), springs);
   }
 };
 
@@ -100,7 +100,9 @@ class DashpotTouch : protected AnyTouch<turning, true, Log> {
     const ContactForce force = implicit_force(laws, meet, arms, point, springs);
     if constexpr (turning) {
       this->twist(meet, arms, meet.normal.cross(force.friction));
-      if (laws.rolling.present()) this->resist_rolling(laws, meet, arms, point, force.normal, 0.0, springs);
+      if (laws.rolling.present())
+        this->resist_rolling(laws, meet, this->rolling_spin(laws, meet, arms), point, force.normal, 0.0,
+                             springs);
     }
     if (laws.remembers()) this->history_.keep(this->memory_key(meet), meet.second, springs);
     this->log_.contact(laws, meet, arms, point, force, springs);
@@ -118,7 +120,8 @@ class DashpotTouch : protected AnyTouch<turning, true, Log> {
     const double holding = laws.friction.per_speed(damping, root_mass);
     if (!laws.spring.present() && std::isfinite(holding))  // dynamic friction is no dashpot
       slow_slip(point, left_by(holding, across));
-    return contact_force(laws, point, now, damping, root_mass, 0.0, springs);
+    const auto stays = [](const Vec3&) -> Vec3 { return Vec3::Zero(); };
+    return contact_force(laws, point, now, damping, root_mass, stays, springs);
   }
 
   static void slow_slip(ContactPoint& point, double left) {

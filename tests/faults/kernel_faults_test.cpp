@@ -81,6 +81,16 @@ TEST_P(KernelFaults, AreNoticed) {
   EXPECT_FALSE(failed(rows).empty()) << "unnoticed by " << rows.size() << " rows of " << GetParam().scene;
 }
 
+// Those that are planted rarely would not be missed for long otherwise.
+TEST(EveryKernelFault, HasItsTextExactlyOnceInTheKernels) {
+  for (const KernelFault& fault : kernel_faults) {
+    const std::string text = text_of(fs::path("kernels") / fault.file);
+    const std::size_t at = text.find(fault.printed);
+    EXPECT_NE(at, std::string::npos) << fault.name;
+    EXPECT_EQ(text.find(fault.printed, at + 1), std::string::npos) << fault.name;
+  }
+}
+
 bool is_quick(const KernelFault& fault) {
   return std::ranges::find(quick_kernel_faults, std::string_view(fault.name)) !=
          std::end(quick_kernel_faults);
