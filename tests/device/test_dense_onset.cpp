@@ -24,8 +24,10 @@ struct Named {
 constexpr std::array endless{Boundary::periodic, Boundary::periodic, Boundary::periodic};
 constexpr std::array walled{Boundary::wall, Boundary::wall, Boundary::wall};
 
+// This law's force jumps where a spring comes to the Coulomb limit: its dashpot goes. With 0.5 one of them is
+// within rounding of it at a boundary, and slides in one precision but not in the other.
 constexpr HistoryFriction liggghts{
-    0.5, 8e4, 1.0, CoulombLimit::spring, TorqueArm::overlap, SpringTurn::project_and_rescale};
+    0.45, 8e4, 1.0, CoulombLimit::spring, TorqueArm::overlap, SpringTurn::project_and_rescale};
 
 const Named crowds[] = {
     {"gas", {.friction = Frictionless{}, .rotation = false, .boundary = endless}},
