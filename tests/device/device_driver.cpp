@@ -16,7 +16,8 @@ namespace {
 EngineOptions options_from(const std::string& precision, const std::string& path, bool full) {
   EngineOptions options = options_for(precision_named(precision).value());
   options.path = path == "small" ? Path::small : path.starts_with("dense") ? Path::dense : Path::zoned;
-  options.width = path == "dense_by_one" ? Width::one : Width::automatic;
+  // By name, not by the device: oclgrind says that it is a GPU.
+  options.width = path == "dense_by_one" ? Width::one : Width::many;
   options.stages = full ? Stages::full : Stages::lean;
   options.work_group = 32;
   return options;
