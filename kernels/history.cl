@@ -60,13 +60,17 @@ INLINE void stretch_spring(real3* rubbing, global real4* memory, Strain s, PairL
   const real damping = spring_damping_of(law, s.root_mass, rise);
   const real3 damped = damping * s.damped;
   const real3 held = turned(kept(*memory, s.overlap, law), s.normal, law);
-  real3 trial = held + s.moved;
+  const real3 moved = s.moved + rest_in(memory);
+  real3 trial = held + moved;
+  const real3 rest = moved - (trial - held);
   if (s.turnover.since >= 0)
     trial = gripped(held, damping * s.turnover.slip, stiffness, s.turnover.limit, law).spring +
             s.turnover.way;
   const Grip g = gripped(trial, damped, stiffness, law.sliding * magnitude(s.pressing), law);
   *rubbing -= g.force;
   *memory = (real4)(g.spring, s.overlap);
+  const bool whole = s.turnover.since < 0 && g.spring.x == trial.x && g.spring.y == trial.y && g.spring.z == trial.z;
+  keep_rest(memory, whole ? rest : (real3)(0));
   enter_spring(account, s.share, (real)0.5 * stiffness * product_of(g.spring, g.spring));
 }
 

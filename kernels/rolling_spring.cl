@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // docs/laws/rolling.md, elastic-plastic spring: wound by the rolling of the bodies over each other, up to a limit. The
 // second word of a contact's memory is its torque on the body that the memory belongs to.
-#define MEMORY_WORDS 2
+#define ROLLING_WORDS 1
 
 // LIGGGHTS winds the spring of a wall faster, where it has the arm shortened.
 INLINE real3 winding_on_wall(real3 spin, real radius, real overlap, PairLaw law) {

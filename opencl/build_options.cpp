@@ -167,6 +167,7 @@ std::vector<std::string> law_files(const BuildOptions& o) {
                                  "rolling_point.cl",
                                  o.rolling_constant ? "rolling_constant.cl" : "rolling_constant_none.cl",
                                  o.rolling_spring ? "rolling_spring.cl" : "rolling_spring_none.cl",
+                                 o.keeps_rests() ? "rests_kept.cl" : "rests_none.cl",
                                  rolls ? "rolling.cl" : "rolling_none.cl",
                                  "turnover.cl"};
   for (const auto& part : {memory_files(o), contact_files(o)})

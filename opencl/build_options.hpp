@@ -46,6 +46,10 @@ struct BuildOptions {
   bool holds_middles() const { return predicts() || implicit_dashpots(); }
   /// Contacts have a memory: of their springs, or of being there.
   bool remembers() const { return history || corrects(); }
+  /// Springs keep what rounding leaves out of their stretch.
+  bool keeps_rests() const { return history && precision != Precision::double_precision; }
+  /// Vectors that one contact's memory takes: its spring, a spring against rolling, the rest.
+  std::size_t memory_words() const { return 1u + (rolling_spring ? 1u : 0u) + (keeps_rests() ? 1u : 0u); }
 
   bool operator==(const BuildOptions&) const = default;
 };

@@ -37,7 +37,7 @@ std::vector<ContactMemory> DeviceRun::memories() {
 // As the particle that the slot belongs to has it.
 ContactMemory DeviceRun::memory_at(std::span<const std::byte> memories, std::size_t slot,
                                    const ContactLaws& laws) const {
-  const std::size_t words = options_.rolling_spring ? 2 : 1;
+  const std::size_t words = options_.memory_words();
   ContactMemory memory{};
   memory.tangential_displacement = decoder_->vector(memories, words * slot);
   if (keeps_overlap(laws)) memory.overlap = decoder_->fourth(memories, words * slot);
@@ -50,7 +50,7 @@ ContactMemory DeviceRun::memory_at(std::span<const std::byte> memories, std::siz
 void DeviceRun::append_memory(std::vector<ContactMemory>& found, std::size_t i, std::size_t j,
                               std::span<const std::byte> memories, std::size_t slot) const {
   const Particle &self = scene_.particles[i], &other = scene_.particles[j];
-  const std::size_t words = options_.rolling_spring ? 2 : 1;
+  const std::size_t words = options_.memory_words();
   if (decoder_->fourth(memories, words * slot) == 0.0 || (i > j && !other.fixed)) return;
   if (!keeps_spring(laws_of(scene_, self.material, other.material))) return;
   ContactMemory memory = memory_at(memories, slot, laws_of(scene_, self.material, other.material));
@@ -62,7 +62,7 @@ void DeviceRun::append_memory(std::vector<ContactMemory>& found, std::size_t i, 
 
 // Displacement and torque of the particle relative to the wall.
 void DeviceRun::append_wall_memories(std::vector<ContactMemory>& found) {
-  const std::size_t walls = image_.near.count(), words = options_.rolling_spring ? 2 : 1;
+  const std::size_t walls = image_.near.count(), words = options_.memory_words();
   const Bytes memories = read_particles(world_.wall_springs, walls * memory_bytes(options_, *decoder_));
   for (std::size_t i = 0; i < image_.particles; ++i) {
     std::size_t slot = i * walls;
@@ -88,7 +88,7 @@ std::size_t DeviceRun::index_of(std::int64_t id) const {
 // apart; where no overlap is told, it is one that no law asks for, longer than any.
 void DeviceRun::put_memory(Bytes& memories, std::size_t slot, const ContactMemory& memory,
                            double sign) const {
-  const std::size_t words = options_.rolling_spring ? 2 : 1;
+  const std::size_t words = options_.memory_words();
   decoder_->put(memories, words * slot, sign * memory.tangential_displacement,
                 memory.overlap > 0.0 ? memory.overlap : 1.0);
   if (options_.rolling_spring)

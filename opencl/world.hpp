@@ -30,7 +30,7 @@ struct World {
 
 /// Bytes that one contact's memory takes.
 inline std::size_t memory_bytes(const BuildOptions& options, const Decoder& decoder) {
-  return (options.rolling_spring ? 2 : 1) * decoder.vector_bytes();
+  return options.memory_words() * decoder.vector_bytes();
 }
 
 /// Uploads a scene. What the options leave out holds one entry that nothing reads. The springs of a list are
