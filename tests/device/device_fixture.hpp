@@ -29,3 +29,10 @@ inline std::string precision_name(const ::testing::TestParamInfo<Precision>& inf
 #define GRAINPROOF_IN_EVERY_PRECISION(fixture)                                                              \
   INSTANTIATE_TEST_SUITE_P(Precisions, fixture, ::testing::ValuesIn(::grainproof::opencl::every_precision), \
                            ::grainproof::opencl::testing::precision_name)
+
+// Where many kernels are compiled and no law depends on how positions are held.
+#define GRAINPROOF_IN_SINGLE_AND_DOUBLE(fixture)                                                 \
+  INSTANTIATE_TEST_SUITE_P(Precisions, fixture,                                                  \
+                           ::testing::Values(::grainproof::opencl::Precision::single_precision,  \
+                                             ::grainproof::opencl::Precision::double_precision), \
+                           ::grainproof::opencl::testing::precision_name)

@@ -12,6 +12,7 @@ namespace {
 struct Rare {
   const char* like;
   void (*change)(Scene& scene);
+  bool small_only = false;
 };
 
 void predict(Scene& scene) {
@@ -20,6 +21,14 @@ void predict(Scene& scene) {
 
 void correct(Scene& scene) {
   scene.run.integrator = Integrator::onset_corrected;
+}
+
+void foresee(Scene& scene) {
+  scene.run.integrator = Integrator::velocity_verlet_implicit;
+}
+
+void compose(Scene& scene) {
+  scene.run.integrator = Integrator::pefrl;
 }
 
 void orient(Scene& scene) {
@@ -43,6 +52,11 @@ const std::map<std::string, Rare>& rare() {
       {"onset", {"damped_friction", correct}},
       {"onset_turning", {"turning_liggghts", correct}},
       {"predicted_hertz", {"hertz", predict}},
+      {"onset_hertz", {"hertz", correct}},
+      {"implicit", {"damped_friction", foresee}},
+      {"implicit_turning", {"turning_liggghts", foresee}},
+      {"implicit_in_vortices", {"vortices", foresee}},
+      {"composed", {"damped_friction", compose, true}},
       {"oriented", {"turning_damped", orient}},
       {"oriented_exactly", {"turning_damped", orient_exactly}},
       {"rolling_on_springs", {"turning_liggghts", roll_on_springs}},
@@ -52,9 +66,10 @@ const std::map<std::string, Rare>& rare() {
 
 }  // namespace
 
-std::vector<std::string> rare_scene_names() {
+std::vector<std::string> rare_scene_names(bool small_only) {
   std::vector<std::string> names;
-  for (const auto& [name, what] : rare()) names.push_back(name);
+  for (const auto& [name, what] : rare())
+    if (what.small_only == small_only) names.push_back(name);
   return names;
 }
 

@@ -197,7 +197,7 @@ TEST(OnsetSupport, LedgersAreRefusedWithAReasonAndHertzIsNot) {
   EXPECT_TRUE(engine.supports(scene, {}));
 }
 
-GRAINPROOF_IN_EVERY_PRECISION(Onset);
+GRAINPROOF_IN_SINGLE_AND_DOUBLE(Onset);
 
 }  // namespace
 }  // namespace grainproof::opencl::testing

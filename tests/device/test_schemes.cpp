@@ -94,7 +94,7 @@ TEST(SchemesSupport, WhatPefrlLacksIsRefusedWithAReason) {
   EXPECT_NE(because(many).find("64 particles"), std::string::npos);
 }
 
-GRAINPROOF_IN_EVERY_PRECISION(Schemes);
+GRAINPROOF_IN_SINGLE_AND_DOUBLE(Schemes);
 
 }  // namespace
 }  // namespace grainproof::opencl::testing
