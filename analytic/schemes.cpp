@@ -175,7 +175,7 @@ double first_unstable_step(const LinearScheme& scheme, const LinearContact& cont
     return determinant <= 1.0 + round_off && std::abs(trace) <= 1.0 + determinant + round_off;
   };
   double low = 0.5 * flip_limit(scheme, contact);
-  if (std::isinf(low)) return low;
+  if (!(low > 0.0) || std::isinf(low)) return low;
   while (stable(1.05 * low)) low *= 1.05;
   double high = 1.05 * low;
   while (high - low > 1e-6 * high) (stable(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
