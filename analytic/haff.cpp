@@ -78,9 +78,7 @@ Solution haff(const Scene& scene, double) {
   const Gas gas = gas_of(scene, fraction);
   Solution solution;
   solution.frame_at = [scene, gas](double time) {
-    Frame frame;
-    frame.step = step_at_or_after(time, scene.run.step);
-    frame.time = time;
+    Frame frame = empty_frame(scene, time);
     for (const Particle& particle : scene.particles) {
       frame.position.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
       frame.velocity.push_back(gas.drift + (particle.velocity - gas.drift) / (1.0 + gas.rate * time));

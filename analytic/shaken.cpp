@@ -5,6 +5,7 @@
 
 #include "analytic/affine_motion.hpp"
 #include "analytic/contact_scales.hpp"
+#include "analytic/one_on_wall.hpp"
 #include "analytic/solution.hpp"
 
 /// A sphere that a plane vibrating along its normal shakes without ever letting go: walls.7. A driven,
@@ -51,20 +52,11 @@ struct Shaken {
 };
 
 std::string why_not(const Scene& scene) {
-  if (scene.particles.size() != 1 || scene.walls.size() != 1) return "there is not one particle and one wall";
+  if (std::string because = why_not_one_on_wall(scene); !because.empty()) return because;
   const Wall& wall = scene.walls.front();
   const Particle& sphere = scene.particles.front();
   if (!std::holds_alternative<Vibrating>(wall.motion)) return "the wall does not vibrate";
   if (!std::holds_alternative<Plane>(wall.shape)) return "the wall is no plane";
-  if (sphere.fixed) return "nothing moves";
-  if (!std::holds_alternative<NoFlow>(scene.flow)) return "a fluid acts on the particle";
-  if (!std::holds_alternative<ConstantGravity>(scene.gravity)) return "gravity is not constant";
-  if (scene.orientation != OrientationUpdate::none) return "orientations are asked for";
-  if (!scene.contacts.has(sphere.material, wall.material))
-    return "the sphere and the wall have no contact laws";
-  const ContactLaws& laws = scene.contacts.at(sphere.material, wall.material);
-  if (!std::holds_alternative<LinearNormal>(laws.normal)) return "the contact is not linear";
-  if (!std::holds_alternative<NoCohesion>(laws.cohesion)) return "cohesion acts";
   const Vec3& normal = std::get<Plane>(wall.shape).normal;
   for (const Vec3& vector : {std::get<Vibrating>(wall.motion).amplitude, sphere.velocity,
                              sphere.angular_velocity, std::get<ConstantGravity>(scene.gravity).acceleration})
@@ -74,10 +66,8 @@ std::string why_not(const Scene& scene) {
 }
 
 Shaken shaken_of(const Scene& scene, const Vec3& normal) {
-  const Particle& sphere = scene.particles.front();
-  const auto& law =
-      std::get<LinearNormal>(scene.contacts.at(sphere.material, scene.walls[0].material).normal);
-  const double mass = sphere_mass(scene.materials[sphere.material].density, sphere.diameter);
+  const auto& law = std::get<LinearNormal>(laws_on_wall(scene).normal);
+  const double mass = mass_on_wall(scene);
   const auto& motion = std::get<Vibrating>(scene.walls[0].motion);
   return {mass,
           law.stiffness,
@@ -103,9 +93,7 @@ Solution shaken(const Scene& scene, double until) {
   Solution solution;
   solution.frame_at = [scene, sphere, law, motion, from, normal = plane.normal](double time) {
     const Eigen::VectorXd s = motion.at(time);
-    Frame frame;
-    frame.step = step_at_or_after(time, scene.run.step);
-    frame.time = time;
+    Frame frame = empty_frame(scene, time);
     frame.position.push_back(sphere.position + (s[gap] - from + law.drive.shift(time)) * normal);
     frame.velocity.push_back((s[rate] + law.drive.speed(time)) * normal);
     if (scene.rotation) frame.angular_velocity.push_back(sphere.angular_velocity);

@@ -18,6 +18,14 @@ struct Solution {
   static Solution no(std::string because) { return {Support::no(std::move(because)), {}, {}}; }
 };
 
+/// At a time in s; bodies are still to be added.
+inline Frame empty_frame(const Scene& scene, double time) {
+  Frame frame;
+  frame.step = step_at_or_after(time, scene.run.step);
+  frame.time = time;
+  return frame;
+}
+
 /// Each solves a scene for the times from 0 to `until`, or says why it does not apply.
 Solution bounce(const Scene& scene, double until);
 Solution cohesive_collision(const Scene& scene, double until);

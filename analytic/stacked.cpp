@@ -148,9 +148,7 @@ Solution stacked(const Scene& scene, double until) {
   Solution solution;
   solution.frame_at = [scene, column, motion](double time) {
     const Eigen::VectorXd s = motion.at(time);
-    Frame frame;
-    frame.step = step_at_or_after(time, scene.run.step);
-    frame.time = time;
+    Frame frame = empty_frame(scene, time);
     for (const Particle& particle : scene.particles) {
       const int i = particle.id == scene.particles[column.lower].id ? first : second;
       frame.position.push_back(particle.position + (s[i] - column.start[i]) * column.axis);

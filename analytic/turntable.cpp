@@ -6,6 +6,7 @@
 
 #include "analytic/affine_motion.hpp"
 #include "analytic/contact_scales.hpp"
+#include "analytic/one_on_wall.hpp"
 #include "analytic/solution.hpp"
 
 /// A sphere that friction's spring makes roll on a plane that turns about its normal: walls.8 and walls.9.
@@ -53,22 +54,13 @@ struct Table {
 };
 
 std::string why_not(const Scene& scene) {
-  if (scene.particles.size() != 1 || scene.walls.size() != 1) return "there is not one particle and one wall";
+  if (std::string because = why_not_one_on_wall(scene); !because.empty()) return because;
   const Wall& wall = scene.walls.front();
-  const Particle& sphere = scene.particles.front();
   if (!std::holds_alternative<Plane>(wall.shape) || !std::holds_alternative<Rotating>(wall.motion))
     return "the wall is no plane that turns";
   if (!scene.rotation) return "nothing turns in this scene";
-  if (scene.orientation != OrientationUpdate::none) return "orientations are asked for";
   if (!scene.remembered.empty()) return "contacts remember something at the start";
-  if (sphere.fixed) return "nothing moves";
-  if (!std::holds_alternative<NoFlow>(scene.flow)) return "a fluid acts on the particle";
-  if (!std::holds_alternative<ConstantGravity>(scene.gravity)) return "gravity is not constant";
-  if (!scene.contacts.has(sphere.material, wall.material))
-    return "the sphere and the wall have no contact laws";
-  const ContactLaws& laws = scene.contacts.at(sphere.material, wall.material);
-  if (!std::holds_alternative<LinearNormal>(laws.normal)) return "the contact is not linear";
-  if (!std::holds_alternative<NoCohesion>(laws.cohesion)) return "cohesion acts";
+  const ContactLaws& laws = laws_on_wall(scene);
   if (!std::holds_alternative<NoRolling>(laws.rolling)) return "rolling is resisted";
   const auto* history = std::get_if<HistoryFriction>(&laws.friction);
   if (!history) return "the friction has no spring";
@@ -78,11 +70,11 @@ std::string why_not(const Scene& scene) {
 Table table_of(const Scene& scene) {
   const Particle& sphere = scene.particles.front();
   const Wall& wall = scene.walls.front();
-  const ContactLaws& laws = scene.contacts.at(sphere.material, wall.material);
+  const ContactLaws& laws = laws_on_wall(scene);
   const auto& history = std::get<HistoryFriction>(laws.friction);
   const Vec3& normal = std::get<Plane>(wall.shape).normal;
   const Vec3 one = normal.unitOrthogonal();
-  const double mass = sphere_mass(scene.materials[sphere.material].density, sphere.diameter);
+  const double mass = mass_on_wall(scene);
   const double weight = -mass * std::get<ConstantGravity>(scene.gravity).acceleration.dot(normal);
   return {normal,
           one,
@@ -102,11 +94,8 @@ std::string why_not_resting(const Scene& scene, const Table& table) {
   const double weight = -table.mass * gravity.dot(plane.normal);
   if (!(weight > 0.0) || gravity.cross(plane.normal).norm() > 1e-12 * gravity.norm())
     return "gravity does not press the sphere on the plane";
-  const auto& law =
-      std::get<LinearNormal>(scene.contacts.at(sphere.material, scene.walls[0].material).normal);
-  const double rest = weight / law.stiffness;
   const double overlap = table.radius - (sphere.position - plane.point).dot(plane.normal);
-  if (std::abs(overlap - rest) > 1e-9 * rest) return "the sphere doesn't start at its resting overlap";
+  if (std::string because = why_not_at_rest(scene, weight, overlap); !because.empty()) return because;
   return sphere.velocity.dot(plane.normal) == 0.0 ? "" : "the sphere starts with a velocity along the normal";
 }
 
@@ -132,9 +121,7 @@ Solution turntable(const Scene& scene, double until) {
   solution.frame_at = [=](double time) {
     const Eigen::VectorXd s = motion.at(time);
     const Vec3 turning = table.normal.cross(table.in_space(s.segment<2>(surface))) / table.radius;
-    Frame frame;
-    frame.step = step_at_or_after(time, scene.run.step);
-    frame.time = time;
+    Frame frame = empty_frame(scene, time);
     frame.position.push_back(sphere.position + table.in_space(s.segment<2>(place) - start.segment<2>(place)));
     frame.velocity.push_back(table.in_space(s.segment<2>(velocity)));
     frame.angular_velocity.push_back(turning + sphere.angular_velocity.dot(table.normal) * table.normal);
