@@ -28,16 +28,3 @@ INLINE real3 creeping(World w, ContactPoint c, real3 slip, PairLaw law) {
 
 // What dashpots will add decides whether a spring slides, so that the springs' stage knows no limit.
 INLINE real holding(World w, real pressing) { return springs_only(w) ? REAL_MAX : pressing; }
-
-typedef struct {
-  char nothing;
-} Onset;
-
-INLINE bool was_touching(const global real4* memory) { return false; }
-INLINE Onset onset_of(World w, ContactPoint* c, PairLaw law) {
-  Onset o = {0};
-  return o;
-}
-INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push push) {}
-INLINE void end_contact(World w, ContactPoint c, PairLaw law) {}
-INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real3 slip) { return no_turnover(); }

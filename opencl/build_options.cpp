@@ -137,11 +137,13 @@ std::vector<std::string> memory_files(const BuildOptions& o) {
 
 std::vector<std::string> contact_files(const BuildOptions& o) {
   if (o.implicit_dashpots())
-    return {"contact_point.cl", "stretch_held.cl", "dashpots_implicit.cl", "contact.cl"};
+    return {"contact_point.cl", "stretch_held.cl", "dashpots_implicit.cl", "onset_none.cl", "contact.cl"};
   if (!o.predicts())
-    return {"contact_point.cl", "stretch_held.cl", "dashpots_explicit.cl", "onset_none.cl", "contact.cl"};
+    return {"contact_point.cl", "stretch_held.cl", "dashpots_explicit.cl",
+            "refined_none.cl",  "onset_none.cl",   "contact.cl"};
   if (!o.corrects())
-    return {"contact_point.cl", "stretch_middle.cl", "dashpots_explicit.cl", "onset_none.cl", "contact.cl"};
+    return {"contact_point.cl", "stretch_middle.cl", "dashpots_explicit.cl",
+            "refined_none.cl",  "onset_none.cl",     "contact.cl"};
   return {"contact_point.cl",   "stretch_middle.cl", "dashpots_explicit.cl",
           "onset_flow.cl",      "onset_linear.cl",   o.hertz ? "onset_hertz.cl" : "onset_by_linear.cl",
           "onset_corrected.cl", "contact.cl"};
