@@ -8,6 +8,7 @@ import sys
 import matplotlib.pyplot as plt
 import numpy as np
 
+from plot_accuracy import accuracy
 from plot_long import long_runs
 from plot_stability import stability
 from plot_style import COLOURS, engine_label, groups, save, style
@@ -42,10 +43,14 @@ def bars(axes, rows, label):
     axes.set_xlabel("million particle-steps a second")
 
 
+def counted(number, one, more):
+    return f"{number} {one if number == 1 else more}"
+
+
 def cundall(rows, _, folder):
     for (scene,), of_scene in groups(rows, "scene").items():
         figure, axes = plt.subplots(figsize=(7.0, 1.2 + 0.35 * len(of_scene)))
-        bars(axes, of_scene, lambda row: f"{engine_label(row)}, {row['threads']} threads")
+        bars(axes, of_scene, lambda row: f"{engine_label(row)}, {counted(row['threads'], 'thread', 'threads')}")
         axes.set_title(f"Speed: {scene}")
         save(figure, folder, f"cundall_{scene}")
 
@@ -114,69 +119,13 @@ def layout(rows, _, folder):
 def peers(rows, results, folder):
     for (scene,), of_scene in groups(rows, "scene").items():
         figure, axes = plt.subplots(figsize=(7.0, 1.2 + 0.35 * len(of_scene)))
-        bars(axes, of_scene, lambda row: f"{engine_label(row)}, {row['processes']} processes")
+        bars(axes, of_scene, lambda row: f"{engine_label(row)}, {counted(row['processes'], 'process', 'processes')}")
         axes.set_title(f"Beside the peers: {scene}")
         save(figure, folder, f"peers_{scene}")
     ratios = [ratio for ratio in results.get("ratios", []) if ratio["suite"] == "peers"]
     if ratios:
         save(ratio_bars(ratios, "Speed over the peers'", "ratio of Cundall numbers", lambda ratio: ratio["what"]),
              folder, "peers_ratios")
-
-
-def pareto(points):
-    """Of (time, error) those that no other beats in both."""
-    front = []
-    for seconds, error in sorted(points):
-        if not front or error < front[-1][1]:
-            front.append((seconds, error))
-    return front
-
-
-SIDES = {"lammps": "LAMMPS", "liggghts": "LIGGGHTS"}
-SIDE_COLOURS = {"ours": COLOURS["opencl"], "LAMMPS": COLOURS["lammps"], "LIGGGHTS": COLOURS["liggghts"]}
-
-
-def errors_against_steps(axes, rows):
-    """A colour an integrator, a marker a precision; peers in their own colours."""
-    integrators = sorted({row["integrator"] for row in rows if row["engine"] not in SIDES})
-    shades = dict(zip(integrators, plt.get_cmap("tab10").colors))
-    for curve in groups(rows, "engine", "precision", "integrator").values():
-        first = curve[0]
-        peer = first["engine"] in SIDES
-        look = style(first) | ({"linewidth": 3, "alpha": 0.5} if peer else {"color": shades[first["integrator"]]})
-        label = SIDES[first["engine"]] if peer else f"{engine_label(first)}, {first['integrator']}"
-        points = sorted((row["steps_per_contact"], row["error"]) for row in curve)
-        axes.plot(*zip(*points), label=label, **look)
-    uncertainty = max((row.get("uncertainty", 0.0) for row in rows), default=0.0)
-    if uncertainty > 0:
-        axes.axhline(uncertainty, color="#888888", linestyle=":", label="error of the solution compared with")
-
-
-def times_against_errors(axes, rows):
-    """Every point, and of each side those that no other beats in both."""
-    sides = {}
-    for row in rows:
-        sides.setdefault(SIDES.get(row["engine"], "ours"), []).append((row["wall_s"], row["error"]))
-    for side, points in sides.items():
-        axes.plot(*zip(*points), ".", color=SIDE_COLOURS[side], alpha=0.35)
-        axes.plot(*zip(*pareto(points)), "-", color=SIDE_COLOURS[side], linewidth=2, drawstyle="steps-post",
-                  label=side)
-
-
-def accuracy(rows, _, folder):
-    for (scene,), of_scene in groups(rows, "scene").items():
-        of_scene = [row for row in of_scene if row["error"] > 0]
-        if scene.startswith("known_") or not of_scene:
-            continue
-        figure, (left, right) = plt.subplots(1, 2, figsize=(12.0, 5.4), sharey=True)
-        errors_against_steps(left, of_scene)
-        times_against_errors(right, of_scene)
-        left.set(xscale="log", yscale="log", xlabel="steps a contact", ylabel="rms error of the velocity",
-                 title=f"Error against step: {scene}")
-        left.legend(fontsize=6)
-        right.set(xscale="log", xlabel="run time / s", title="Run time against error, Pareto fronts")
-        right.legend()
-        save(figure, folder, f"accuracy_{scene}")
 
 
 PICTURES = {
