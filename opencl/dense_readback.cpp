@@ -23,6 +23,64 @@ std::uint64_t hashed(std::uint64_t hash, const void* data, std::size_t bytes) {
   return hash;
 }
 
+/// The springs and who has one, as the device has written them down: a row of lanes for each entry that
+/// touches.
+struct SpringRows {
+  Bytes springs;
+  std::vector<cl_int> marks;
+  std::size_t group, lanes, words;  ///< bodies of a group, of a mark, and numbers a mark
+  bool in_double;
+
+  /// Zero where the body in this lane has none in this slot of the list.
+  Vec3 at(std::size_t slot, std::size_t lane) const {
+    const std::size_t spans = group / lanes;
+    const cl_int mark = marks[(slot * spans + lane / lanes) * words];
+    if ((mark & 1) == 0) return Vec3::Zero();
+    const std::size_t row = static_cast<std::size_t>(mark) / 2 - 1;
+    Vec3 spring;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t place = (3 * (row / spans) + axis) * group + row % spans * lanes + lane % lanes;
+      spring[static_cast<Eigen::Index>(axis)] =
+          in_double ? value_at<cl_double>(springs, place) : value_at<cl_float>(springs, place);
+    }
+    return spring;
+  }
+};
+
+/// The walls, by index, that the first slots of a group are about.
+std::vector<std::int64_t> walls_of(const cl_int4& head, const NearWalls& near) {
+  std::vector<std::int64_t> walls;
+  for (std::size_t k = 0; k < near.planes.size(); ++k)
+    if (head.s[2] >> k & 1) walls.push_back(near.planes[k].index);
+  return walls;
+}
+
+/// A spring is told where it is strained, once for both bodies: the device keeps it for each, as the
+/// displacement of the body relative to its partner.
+std::vector<ContactMemory> strained(const Scene& scene, const DenseLists& lists, const SpringRows& rows) {
+  const NearWalls near = near_walls(scene);
+  std::vector<ContactMemory> found;
+  for (std::size_t g = 0; g < lists.heads.size(); ++g) {
+    const std::vector<std::int64_t> walls = walls_of(lists.heads[g], near);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(lists.heads[g].s[1]); ++k) {
+      const std::size_t slot = static_cast<std::size_t>(lists.heads[g].s[0]) + k;
+      for (std::size_t lane = 0; lane < rows.group; ++lane) {
+        const Vec3 spring = rows.at(slot, lane);
+        if (spring.isZero(0.0)) continue;
+        const auto self = static_cast<std::size_t>(lists.ids[g * rows.group + lane]);
+        if (k < walls.size()) {
+          found.push_back({scene.particles[self].id, -1 - walls[k], 0, spring});
+          continue;
+        }
+        const auto entry = static_cast<std::size_t>(lists.entries[slot * rows.group + lane]);
+        const auto other = static_cast<std::size_t>(lists.ids[entry]);
+        if (self < other) found.push_back({scene.particles[self].id, scene.particles[other].id, 0, -spring});
+      }
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 const cl::Buffer& DenseRun::report(const cl::Buffer& springs, const cl::Buffer& marks, bool keeps) {
@@ -121,54 +179,25 @@ DenseLists DenseRun::read_lists() {
   return l;
 }
 
-// By first and second. A spring is told where it is strained, once for both bodies: the device keeps it for
-// each, as the displacement of the body relative to its partner.
+// By first and second.
 std::vector<ContactMemory> DenseRun::memories() {
   if (!options_.history || list_.slots() == 0) return {};
-  const auto slots = static_cast<std::size_t>(list_.slots());
-  const std::size_t real = options_.precision == Precision::double_precision ? 8 : 4;
-  const auto lanes = static_cast<std::size_t>(lanes_of(options_)), spans = group() / lanes;
-  const std::size_t words = mark_words(options_);
-  std::vector<cl_int> marks(slots * spans * words);
-  Bytes springs(list_.springs_bytes());
-  const cl::Buffer on_device = workshop_->room(springs.size()), marked = workshop_->upload(bytes_of(marks));
+  SpringRows rows{Bytes(list_.springs_bytes()),
+                  {},
+                  group(),
+                  static_cast<std::size_t>(lanes_of(options_)),
+                  mark_words(options_),
+                  options_.precision == Precision::double_precision};
+  rows.marks.resize(static_cast<std::size_t>(list_.slots()) * (rows.group / rows.lanes) * rows.words);
+  const cl::Buffer on_device = workshop_->room(rows.springs.size());
+  const cl::Buffer marked = workshop_->upload(bytes_of(rows.marks));
   // Whoever only looks takes no rows.
   const DenseSignals signals = read_signals();
   report(on_device, marked, true);
   workshop_->write(signals_, std::as_bytes(std::span(&signals, 1)));
-  workshop_->read(on_device, springs);
-  workshop_->read(marked, std::as_writable_bytes(std::span(marks)));
-  const DenseLists lists = read_lists();
-  const NearWalls near = near_walls(scene_);
-  std::vector<ContactMemory> found;
-  for (std::size_t g = 0; g < lists.heads.size(); ++g) {
-    std::vector<std::int64_t> walls;
-    for (std::size_t k = 0; k < near.planes.size(); ++k)
-      if (lists.heads[g].s[2] >> k & 1) walls.push_back(near.planes[k].index);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(lists.heads[g].s[1]); ++k) {
-      const std::size_t slot = static_cast<std::size_t>(lists.heads[g].s[0]) + k;
-      for (std::size_t lane = 0; lane < group(); ++lane) {
-        const cl_int mark = marks[(slot * spans + lane / lanes) * words];
-        if ((mark & 1) == 0) continue;
-        const std::size_t row = static_cast<std::size_t>(mark) / 2 - 1;
-        Vec3 v;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const std::size_t at = (3 * (row / spans) + axis) * group() + row % spans * lanes + lane % lanes;
-          v[static_cast<Eigen::Index>(axis)] =
-              real == 8 ? value_at<cl_double>(springs, at) : value_at<cl_float>(springs, at);
-        }
-        if (v.isZero(0.0)) continue;
-        const auto self = static_cast<std::size_t>(lists.ids[g * group() + lane]);
-        if (k < walls.size()) {
-          found.push_back({scene_.particles[self].id, -1 - walls[k], 0, v});
-          continue;
-        }
-        const auto entry = static_cast<std::size_t>(lists.entries[slot * group() + lane]);
-        const auto other = static_cast<std::size_t>(lists.ids[entry]);
-        if (self < other) found.push_back({scene_.particles[self].id, scene_.particles[other].id, 0, -v});
-      }
-    }
-  }
+  workshop_->read(on_device, rows.springs);
+  workshop_->read(marked, std::as_writable_bytes(std::span(rows.marks)));
+  std::vector<ContactMemory> found = strained(scene_, read_lists(), rows);
   std::sort(found.begin(), found.end(), [](const ContactMemory& a, const ContactMemory& b) {
     return std::tie(a.first, a.second) < std::tie(b.first, b.second);
   });
