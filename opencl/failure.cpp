@@ -13,9 +13,10 @@ namespace {
 
 constexpr const char* face_names[6] = {"lower x", "upper x", "lower y", "upper y", "lower z", "upper z"};
 
-std::string advice(const Scene& scene) {
+std::string advice(const Scene& scene, bool left) {
   std::ostringstream text;
-  text << "; the likely cause is a step too large for this stiffness: the step is " << scene.run.step << " s";
+  text << "; the likely cause is " << (left ? "that no wall is there, or " : "")
+       << "a step too large for this stiffness: the step is " << scene.run.step << " s";
   const double contact = shortest_contact(scene);
   if (contact > 0.0) text << ", the shortest undamped contact " << contact << " s";
   return text.str();
@@ -43,7 +44,7 @@ std::string described(const Scene& scene, std::size_t i, const cl_int4& fault) {
         text << scene.walls[static_cast<std::size_t>(-1 - other)].name;
       text << " by more than " << scene.run.overlap_limit << " of the smaller radius";
   }
-  return text.str() + advice(scene);
+  return text.str() + advice(scene, fault.s[1] == left_domain);
 }
 
 }  // namespace

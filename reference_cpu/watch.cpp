@@ -102,10 +102,8 @@ RunWentWrong in_words(const Trouble& trouble, const Scene& scene, std::int64_t s
   const bool deep =
       trouble.kind == Trouble::Kind::pair_too_deep || trouble.kind == Trouble::Kind::wall_too_deep;
   const double time = static_cast<double>(step) * scene.run.step;
-  std::ostringstream text;
-  text << "at step " << step << ", t = " << time
-       << " s: " << (deep ? too_deep(trouble, scene, overlap_limit) : lost(trouble, scene));
-  return RunWentWrong(text.str(), step, time, ids_of(trouble, scene));
+  return RunWentWrong(deep ? too_deep(trouble, scene, overlap_limit) : lost(trouble, scene), step, time,
+                      ids_of(trouble, scene));
 }
 
 }  // namespace grainproof::reference
