@@ -87,7 +87,7 @@ struct Pair {
   const Contestant& one;
   const Contestant& other;
   std::int64_t same = 0;
-  std::optional<Checkpoint> first, second;
+  std::optional<Checkpoint> first = {}, second = {};
 
   void agree_at(std::int64_t step, Run& a, Run& b) {
     same = step;

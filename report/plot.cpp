@@ -76,7 +76,7 @@ std::string legend(const std::vector<std::string>& schemes, const std::vector<st
   }
   y += 8;
   for (std::size_t i = 0; i < engines.size(); ++i, y += 22)
-    text += marker(x, y - 4, i, "#444") + svg_text(x + 14, y, "", escaped(engines[i]));
+    text += marker(x, y - 4, i, "#444") + svg_text(x + 26, y, "", escaped(engines[i]));
   text += "<path d=\"M" + pixel(x - 9) + " " + pixel(y + 4) + "h18\" stroke=\"#444\" stroke-width=\"3\" " +
           "stroke-opacity=\"0.35\"/>\n" + svg_text(x + 14, y + 8, "", "tolerance");
   return text;
