@@ -137,6 +137,12 @@ std::vector<std::string> engines_to_verify() {
   return names;
 }
 
+std::vector<std::string_view> engine_names() {
+  std::vector<std::string_view> names;
+  for (const Known& row : known) names.push_back(row.name);
+  return names;
+}
+
 std::string engine_help() {
   std::string text = "Engines:";
   for (const Known& row : known) text += "\n  " + std::string(row.name) + ": " + std::string(row.what);

@@ -37,6 +37,9 @@ std::unique_ptr<Engine> make_engine(const std::string& name, const EngineSetting
 /// What `verify` asks when nobody says otherwise.
 std::vector<std::string> engines_to_verify();
 
+/// Every name that engines go by, as it stands before a colon.
+std::vector<std::string_view> engine_names();
+
 /// A line a name, for --help.
 std::string engine_help();
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "app/engines.hpp"
 #include "app/resources.hpp"
 #include "comparisons/quantity.hpp"
-#include "input/read_case.hpp"
 #include "model/errors.hpp"
 
 namespace grainproof::app {
@@ -27,16 +27,23 @@ bool claims_ledger(const Case& subject) {
 
 }  // namespace
 
-ChosenScene choose_scene(const std::filesystem::path& data, const std::string& name_or_path, int nth,
-                         bool force, Progress& progress) {
+ReadOptions reading_options(bool force) {
   ReadOptions options;
   options.force = force;
+  for (const Quantity& quantity : quantities()) options.quantities.push_back(quantity.name);
+  options.engines = engine_names();
+  return options;
+}
+
+ChosenScene choose_scene(const std::filesystem::path& data, const std::string& name_or_path, int nth,
+                         bool force, Progress& progress) {
+  const ReadOptions options = reading_options(force);
   Case subject = read_case(find_case(data, name_or_path), options);
   if (!subject.refused.empty()) throw InputRefused(subject.refused);
   const std::size_t count = subject.scenes.size();
   if (nth < 0 || static_cast<std::size_t>(nth) > count)
-    throw InputRefused(subject.name + " expands to " + std::to_string(count) + " scenes; found --nth " +
-                       std::to_string(nth));
+    throw InputRefused(subject.name + " expands to " + std::to_string(count) +
+                       (count == 1 ? " scene" : " scenes") + "; found --nth " + std::to_string(nth));
   ResolvedScene& chosen = subject.scenes.at(nth == 0 ? 0 : static_cast<std::size_t>(nth) - 1);
   if (nth == 0 && count > 1)
     progress.say(subject.name + " expands to " + std::to_string(count) + " scenes; taking the first (" +

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
+#include "analytic/closed_forms.hpp"
 #include "input/expectations.hpp"
 #include "input/text.hpp"
 
@@ -17,11 +20,37 @@ enum class Ending { refused, went_wrong };
 constexpr std::pair<std::string_view, Ending> endings[] = {{"refused", Ending::refused},
                                                            {"went_wrong", Ending::went_wrong}};
 
-std::string read_against(const Node& node) {
+/// Refuses a name that is none of those known, and where none are known takes any.
+void check_name(const Node& node, std::string_view name, const std::vector<std::string_view>& known,
+                const char* where = "") {
+  if (!known.empty() && std::find(known.begin(), known.end(), name) == known.end())
+    node.refuse(meant(name, known) + where);
+}
+
+void check_value(const Node& node, std::string_view number) {
+  double value = 0.0;
+  const char* const end = number.data() + number.size();
+  const auto read = std::from_chars(number.data(), end, value);
+  if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(value)) node.refuse("value:NUMBER");
+}
+
+/// An invariant goes by the name of its quantity.
+std::string read_against(const Node& node, const std::string& quantity, const ReadOptions& options) {
+  constexpr const char* behind = " behind the colon";
   std::string text = node.text();
-  for (const std::string_view kind : {"closed_form:", "engine:", "invariant:", "value:"})
-    if (text.starts_with(kind) && text.size() > kind.size()) return text;
-  node.refuse("closed_form:NAME, engine:NAME, invariant:NAME or value:NUMBER");
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::string kind = text.substr(0, colon), name = text.substr(std::min(colon + 1, text.size()));
+  if (kind == "closed_form" && !name.empty())
+    check_name(node, name, analytic::closed_form_names(), behind);
+  else if (kind == "engine" && !name.empty())
+    check_name(node, name.substr(0, name.find(':')), options.engines, behind);
+  else if (kind == "invariant" && !name.empty())
+    check_name(node, name, {quantity}, behind);
+  else if (kind == "value" && !name.empty())
+    check_value(node, name);
+  else
+    node.refuse("closed_form:NAME, engine:NAME, invariant:NAME or value:NUMBER");
+  return text;
 }
 
 std::map<std::string, double> read_below(const Node& node) {
@@ -44,15 +73,20 @@ std::map<std::string, std::string> read_where(const Table& table) {
   return out;
 }
 
-std::vector<std::string> read_engines(const Node& node) {
+std::vector<std::string> read_engines(const Node& node, const ReadOptions& options) {
   std::vector<std::string> out;
-  for (const Node& engine : node.at_least_one()) out.push_back(engine.text());
+  for (const Node& engine : node.at_least_one()) {
+    out.push_back(engine.text());
+    check_name(engine, out.back().substr(0, out.back().find(':')), options.engines);
+  }
   return out;
 }
 
-void read_claim(const Table& table, Expectation& out) {
-  out.quantity = table.at("quantity").text();
-  out.against = read_against(table.at("against"));
+void read_claim(const Table& table, const ReadOptions& options, Expectation& out) {
+  const Node quantity = table.at("quantity");
+  out.quantity = quantity.text();
+  check_name(quantity, out.quantity, options.quantities);
+  out.against = read_against(table.at("against"), out.quantity, options);
   if (const auto statistic = table.find("statistic")) {
     out.statistic = statistic->choice(statistics);
     if (out.statistic == Statistic::band && !out.against.starts_with("engine:"))
@@ -69,7 +103,7 @@ void read_claim(const Table& table, Expectation& out) {
     table.whole().refuse("an expectation of nothing", "below, order or sign");
 }
 
-Expectation read_expectation(const Table& table) {
+Expectation read_expectation(const Table& table, const ReadOptions& options) {
   Expectation out;
   if (const auto outcome = table.find("outcome")) {
     table.only({"outcome", "reason", "for", "engines"});
@@ -79,10 +113,10 @@ Expectation read_expectation(const Table& table) {
   } else {
     table.only(
         {"quantity", "against", "for", "statistic", "below", "order", "sign", "ulps", "engines", "outcome"});
-    read_claim(table, out);
+    read_claim(table, options, out);
   }
   if (const auto where = table.find("for")) out.where = read_where(where->table());
-  if (const auto engines = table.find("engines")) out.engines = read_engines(*engines);
+  if (const auto engines = table.find("engines")) out.engines = read_engines(*engines, options);
   return out;
 }
 
@@ -106,10 +140,11 @@ void check_step(const WrittenExpectation& written, const std::vector<const Sweep
 
 }  // namespace
 
-std::vector<WrittenExpectation> read_expectations(const std::vector<Node>& tables) {
+std::vector<WrittenExpectation> read_expectations(const std::vector<Node>& tables,
+                                                  const ReadOptions& options) {
   std::vector<WrittenExpectation> out;
   out.reserve(tables.size());
-  for (const Node& node : tables) out.push_back({read_expectation(node.table()), node});
+  for (const Node& node : tables) out.push_back({read_expectation(node.table(), options), node});
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "input/node.hpp"
+#include "input/read_case.hpp"
 #include "model/case.hpp"
 
 namespace grainproof::input {
@@ -14,7 +15,9 @@ struct WrittenExpectation {
   Node place;
 };
 
-std::vector<WrittenExpectation> read_expectations(const std::vector<Node>& tables);
+/// Refuses names that `options` does not have.
+std::vector<WrittenExpectation> read_expectations(const std::vector<Node>& tables,
+                                                  const ReadOptions& options);
 
 /// Refuses an expectation that no scene of the sweep meets, or that names a step which isn't swept.
 void check_expectations(const std::vector<WrittenExpectation>& written,

@@ -177,6 +177,7 @@ std::vector<Node> Node::at_least_one() const {
 }
 
 std::vector<Node> Node::tables() const {
+  if (is_table()) refuse("a list of tables; write [[" + std::string(name_) + "]]");
   std::vector<Node> out = elements();
   for (const Node& element : out)
     if (!element.is_table()) element.refuse("a table; write [[" + std::string(name_) + "]]");

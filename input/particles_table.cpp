@@ -67,14 +67,15 @@ std::vector<Filled> read_explicit(const Table& table, Group& group, const Partic
   table.only({"material", "diameter", "diameters", "effect_diameter", "fixed", "positions", "velocities",
               "angular_velocities", "ids"});
   group.positions = table.at("positions").at_least_one();
+  std::vector<Filled> filled;
+  for (const Node& position : group.positions)
+    filled.push_back({position.vector(), {}, {}, Vec3::Zero(), {}});
   const auto velocities = read_one_each(table, "velocities", group.positions.size());
   group.ids = read_one_each(table, "ids", group.positions.size());
-  std::vector<Filled> filled;
-  for (std::size_t i = 0; i < group.positions.size(); ++i) {
-    filled.push_back({group.positions[i].vector(), {}, {}, Vec3::Zero(), {}});
-    if (!velocities.empty()) filled.back().velocity = velocities[i].vector();
-    if (!group.ids.empty()) filled.back().id = group.ids[i].integer_within(1, largest_id);
-    if (filled.back().velocity && !filled.back().velocity->isZero(0.0)) refuse_motion(common, velocities[i]);
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    if (!velocities.empty()) filled[i].velocity = velocities[i].vector();
+    if (!group.ids.empty()) filled[i].id = group.ids[i].integer_within(1, largest_id);
+    if (filled[i].velocity && !filled[i].velocity->isZero(0.0)) refuse_motion(common, velocities[i]);
   }
   read_diameters(table, filled);
   read_spins(table, common, rotation, filled);

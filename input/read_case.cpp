@@ -64,7 +64,7 @@ Case read_case_text(const std::string& text, const std::filesystem::path& name, 
   if (const auto tier = file.find("tier")) read.tier = tier->choice(tiers);
   read.no_peers_because = read_no_peers(file);
   const auto expect = file.find("expect");
-  const auto written = read_expectations(expect ? expect->tables() : std::vector<input::Node>{});
+  const auto written = read_expectations(expect ? expect->tables() : std::vector<input::Node>{}, options);
   for (const WrittenExpectation& one : written) read.expectations.push_back(one.expectation);
   try {
     expand_into(read, document, {options, name.parent_path()}, written);

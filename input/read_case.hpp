@@ -4,15 +4,19 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "model/case.hpp"
 
 namespace grainproof {
 
 struct ReadOptions {
-  bool force = false;                       ///< admits steps above the stability limit
-  std::size_t most_scenes = 20000;          ///< a sweep that expands to more is refused
-  std::size_t most_particles = 20'000'000;  ///< over all scenes of the case
+  bool force = false;                             ///< admits steps above the stability limit
+  std::size_t most_scenes = 20000;                ///< a sweep that expands to more is refused
+  std::size_t most_particles = 20'000'000;        ///< over all scenes of the case
+  std::vector<std::string_view> quantities = {};  ///< that a claim may be about; none given: any
+  std::vector<std::string_view> engines = {};  ///< that it may name, without what follows a colon; likewise
 };
 
 /// Reads a scene file (docs/scene.md) and expands its sweep. Throws InputRefused with

@@ -30,8 +30,10 @@ double steps_per_contact(const Node& node) {
   return count;
 }
 
-RecordWish read_record(const Table& table) {
+RecordWish read_record(const Node& record) {
   constexpr double most = 1e6;
+  if (!record.is_table()) record.refuse("{ every = SECONDS }, { steps = N } or { frames = N }");
+  const Table table = record.table();
   table.only({"every", "steps", "frames"});
   const auto nodes = table.nodes();
   if (nodes.size() != 1) table.whole().refuse("a table with one of every, steps or frames");
@@ -89,7 +91,7 @@ void read_run(const Table& table, SetUp& set_up) {
   if (const auto search = table.find("neighbours")) run.neighbours = search->choice(searches);
   if (const auto skin = table.find("skin")) run.skin = read_skin(*skin);
   if (const auto limit = table.find("overlap_limit")) run.overlap_limit = read_overlap_limit(*limit);
-  if (const auto record = table.find("record")) set_up.record = read_record(record->table());
+  if (const auto record = table.find("record")) set_up.record = read_record(*record);
 }
 
 }  // namespace grainproof::input

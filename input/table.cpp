@@ -38,7 +38,7 @@ Node Table::at(std::string_view key) const {
   const auto found = find(key);
   if (!found)
     whole().refuse("no " + in_quotes(key) + (name_.empty() ? "" : " in " + std::string(name_)),
-                   in_quotes(key));
+                   in_quotes(key) + ", which has no default");
   return *found;
 }
 

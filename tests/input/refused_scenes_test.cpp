@@ -64,6 +64,7 @@ const Mistake bodies[] = {
      "each of the 2", "ids"},
     {"FewerVelocitiesThanPositions", "velocities = [[-2.0, 0.0, 0.0], [0.0, 0.0, 0.0]]",
      "velocities = [[-2.0, 0.0, 0.0]]", "velocities of 1", "each of the 2"},
+    {"FlatPositions", two, "positions = [0.1, 0.0, 0.0]", "positions = 0.1", "[x, y, z]"},
     {"NoPositions", two, "positions = []", "an array of 0", "at least one"},
     {"FixedButMoving", "fixed = true", "fixed = true\nvelocities = [[1.0, 0.0, 0.0]]", "an array of 3",
      "fixed particles never move", "velocities = [[1"},

@@ -107,6 +107,14 @@ const Mistake expectations[] = {
     {"EnginesOfNone",
      AFTER("[[expect]]\nquantity = \"velocity\"\nagainst = \"value:1\"\nbelow = 1\nengines = []"),
      "an array of 0", "at least one", "engines"},
+    {"UnknownClosedForm",
+     AFTER("[[expect]]\nquantity = \"velocity\"\nbelow = 1\nagainst = \"closed_form:free_fal\""), "free_fal",
+     "\"free_fall\"", "\"closed_form"},
+    {"ValueOfNoNumber", AFTER("[[expect]]\nquantity = \"velocity\"\nbelow = 1\nagainst = \"value:1 m\""),
+     "value:1 m", "value:NUMBER", "\"value"},
+    {"InvariantOfAnotherQuantity",
+     AFTER("[[expect]]\nquantity = \"energy\"\nbelow = 1\nagainst = \"invariant:momentum\""), "momentum",
+     "\"energy\"", "\"invariant"},
     {"UnknownVerifyKey", AFTER("[verify]\nno_peer = \"none\""), "\"no_peer\"", "\"no_peers\"", "no_peer"},
 };
 

@@ -57,7 +57,7 @@ const Mistake types[] = {
     {"TableForArray", "positions = [[0.0, 0.0, 0.0]]", "positions = { x = 0.0 }", "a table", "an array"},
     {"ArrayForTable", "[material.glass]\ndensity = 2000.0", "[material]\nglass = [2000.0]", "an array",
      "a table", "glass = ["},
-    {"SingleTableForTables", "[[wall]]", "[wall]", "a table", "an array"},
+    {"SingleTableForTables", "[[wall]]", "[wall]", "a table", "write [[wall]]"},
     {"DateForNumber", "end = 0.01", "end = 1979-05-27", "a date", "a number"},
     {"NotANumber", "end = 0.01", "end = nan", "end = nan", "a finite number"},
     {"Infinite", "diameter = 0.1\nfixed", "diameter = inf\nfixed", "diameter = inf", "a finite number",
