@@ -46,6 +46,7 @@ void add_verify(CLI::App& program, Command& chosen) {
                   "  grainproof verify my_case.toml --engines 'external:python3 my_code.py'\n"
                   "  grainproof verify --out results --json results.json\n");
   command->add_option("cases", options->cases, "Names of cases, or scene files (default: every case)");
+  command->add_flag("--list", options->list, "Name the cases there are, with tier and title, and run none");
   command->add_option("--engines", options->engines, engine_help())
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -67,6 +68,20 @@ void add_verify(CLI::App& program, Command& chosen) {
       [&chosen, options] { chosen = [options](Terminal& terminal) { return verify(*options, terminal); }; });
 }
 
+void add_books_and_checkpoints(CLI::App& command, const std::shared_ptr<RunOptions>& options) {
+  auto* ledger = command.add_flag("--ledger", options->ledger,
+                                  "Keep the ledger of energies and impulses, and so walls.csv, also of 512 "
+                                  "particles and more: several times slower on a device");
+  command
+      .add_flag("--no-ledger", options->no_ledger, "Keep none of fewer either, nor where a claim needs it")
+      ->excludes(ledger);
+  command.add_option("--from", options->from, "Go on from a checkpoint of this scene")->type_name("FILE");
+  command
+      .add_option("--checkpoint-every", options->checkpoint_every,
+                  "With --out: write checkpoint.h5 every so many steps (1000) or seconds (30s)")
+      ->type_name("N");
+}
+
 void add_run(CLI::App& program, Command& chosen) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command =
@@ -79,24 +94,17 @@ void add_run(CLI::App& program, Command& chosen) {
   command->add_option("--precision", options->precision, "single, mixed or double, for opencl")
       ->type_name("P");
   command->add_option("--device", options->device, device_help);
-  command
-      ->add_option("--out", options->out, "Write summary.json, walls.csv, frames as .vtp and frames.pvd here")
-      ->type_name("DIR");
+  CLI::Option* out = command
+                         ->add_option("--out", options->out,
+                                      "Write summary.json, walls.csv, frames as .vtp and frames.pvd here")
+                         ->type_name("DIR");
   command->add_option("--json", options->json, "Write the summary as JSON")->type_name("FILE");
-  command->add_flag("--csv", options->csv,
-                    "With --out: also frames.csv, time,id,x,y,z,vx,vy,vz, with rotation wx,wy,wz, with "
-                    "orientation qw,qx,qy,qz, in full precision");
-  auto* ledger = command->add_flag("--ledger", options->ledger,
-                                   "Keep the ledger of energies and impulses, and so walls.csv, also of 512 "
-                                   "particles and more: several times slower on a device");
   command
-      ->add_flag("--no-ledger", options->no_ledger, "Keep none of fewer either, nor where a claim needs it")
-      ->excludes(ledger);
-  command->add_option("--from", options->from, "Go on from a checkpoint of this scene")->type_name("FILE");
-  command
-      ->add_option("--checkpoint-every", options->checkpoint_every,
-                   "With --out: write checkpoint.h5 every so many steps (1000) or seconds (30s)")
-      ->type_name("N");
+      ->add_flag("--csv", options->csv,
+                 "With --out: also frames.csv, time,id,x,y,z,vx,vy,vz, with rotation wx,wy,wz, with "
+                 "orientation qw,qx,qy,qz, in full precision")
+      ->needs(out);
+  add_books_and_checkpoints(*command, options);
   command->add_flag("--no-self-test", options->no_self_test,
                     "Do not test the kernels on a device that has not been tested yet");
   command->add_flag("--no-sentinels", options->no_sentinels,
@@ -116,7 +124,7 @@ void add_compare(CLI::App& program, Command& chosen) {
                   "  grainproof compare settling --engines reference,opencl,liggghts --out apart\n"
                   "  grainproof compare settling --exact opencl:double --other settling_canonical.toml\n");
   command->add_option("scene", options->scene, "Name of a case, or a scene file")->required();
-  command->add_option("--engines", options->engines, engine_help())
+  command->add_option("--engines", options->engines, "Default: reference,opencl. " + engine_help())
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("A,B");
@@ -171,11 +179,25 @@ void add_doctor(CLI::App& program, Command& chosen) {
   command->callback([&chosen] { chosen = doctor; });
 }
 
-/// Errors of the command line are refusals of input, with CLI11's message.
+/// CLI11's message, but for a first word that is no command.
+std::string explained(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<std::string> left = program.remaining();
+  if (!program.get_subcommands().empty() || left.empty() || left.front().starts_with('-'))
+    return error.what() + std::string("; --help says what there is");
+  std::string commands;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    commands += (commands.empty() ? "" : ", ") + command->get_name();
+  return "no command " + left.front() + "; expected one of " + commands;
+}
+
+/// Errors of the command line are refusals of input.
 int refuse(const CLI::App& program, const CLI::ParseError& error, Terminal& terminal) {
-  const bool asked_for = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
-  program.exit(error, terminal.out, terminal.err);
-  return asked_for ? all_held : input_refused;
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    program.exit(error, terminal.out, terminal.err);  // --help or --version
+    return all_held;
+  }
+  terminal.err << "grainproof: " << explained(program, error) << std::endl;
+  return input_refused;
 }
 
 int guarded(const Command& command, Terminal& terminal) {

@@ -25,7 +25,8 @@ std::vector<std::unique_ptr<Engine>> engines_for(const CompareOptions& options,
                                                  const std::filesystem::path& data, const Scene& scene,
                                                  Progress& progress) {
   std::vector<std::unique_ptr<Engine>> engines;
-  for (const std::string& name : options.engines)
+  const std::vector<std::string> usual{"reference", "opencl"};
+  for (const std::string& name : options.engines.empty() ? usual : options.engines)
     for (Made& made : make_engines(name, {data, "", options.device})) {
       if (!made.engine) {
         progress.say(made.name + " is not available: " + made.because);
@@ -37,7 +38,8 @@ std::vector<std::unique_ptr<Engine>> engines_for(const CompareOptions& options,
     }
   if (engines.size() < 2)
     throw InputRefused("compare needs two engines that can run the scene, found " +
-                       std::to_string(engines.size()));
+                       (engines.empty() ? "none" : "only " + engines.front()->name()) +
+                       "; expected --engines A,B");
   return engines;
 }
 

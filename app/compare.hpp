@@ -11,7 +11,7 @@ namespace grainproof::app {
 
 struct CompareOptions {
   std::string scene;
-  std::vector<std::string> engines;  ///< two or more; the others are held against the first
+  std::vector<std::string> engines;  ///< the others are held against the first; empty is reference,opencl
   std::vector<std::string> exact;    ///< one or two, to be compared bit by bit instead
   std::string other;                 ///< scene of the second, where it is another
   std::string device;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "input/text.hpp"
 #include "model/errors.hpp"
 
 namespace grainproof::app {
@@ -21,6 +22,18 @@ fs::path named_by_environment(const char* named) {
   if (holds_data(named)) return fs::absolute(named);
   throw InputRefused("GRAINPROOF_DATA is " + std::string(named) +
                      "; expected a folder with kernels/ and scenes/");
+}
+
+[[noreturn]] void refuse_name(const std::string& wanted, const std::vector<fs::path>& known) {
+  if (wanted.find('/') != std::string::npos || wanted.ends_with(".toml"))
+    throw InputRefused("no file " + wanted +
+                       "; expected a scene file, or a name that grainproof verify --list has");
+  std::vector<std::string> names;
+  for (const fs::path& path : known) names.push_back(path.stem().string());
+  const std::string_view near = input::nearest(wanted, {names.begin(), names.end()});
+  throw InputRefused("no case " + wanted + "; expected " +
+                     (near.empty() ? "one" : std::string(near) + ", or another") + " of the " +
+                     std::to_string(names.size()) + " that grainproof verify --list names, or a scene file");
 }
 
 }  // namespace
@@ -48,12 +61,10 @@ std::vector<fs::path> known_cases(const fs::path& root) {
 
 fs::path find_case(const fs::path& root, const std::string& name_or_path) {
   if (fs::is_regular_file(name_or_path)) return name_or_path;
-  std::string known;
-  for (const fs::path& path : known_cases(root)) {
+  const std::vector<fs::path> known = known_cases(root);
+  for (const fs::path& path : known)
     if (path.stem() == name_or_path) return path;
-    known.append(" ").append(path.stem().string());
-  }
-  throw InputRefused("no case " + name_or_path + "; expected a scene file or one of:" + known);
+  refuse_name(name_or_path, known);
 }
 
 }  // namespace grainproof::app

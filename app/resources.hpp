@@ -15,7 +15,7 @@ std::filesystem::path data_root();
 /// The scene files of the data folder and the folders in it, by name.
 std::vector<std::filesystem::path> known_cases(const std::filesystem::path& root);
 
-/// A scene file by path, or by its name in the data folder. Throws InputRefused with what there is.
+/// A scene file by path, or by its name in the data folder. Throws InputRefused with the nearest name.
 std::filesystem::path find_case(const std::filesystem::path& root, const std::string& name_or_path);
 
 }  // namespace grainproof::app

@@ -109,12 +109,14 @@ report::CheckpointOrigin origin_of(const Engine& engine, const ChosenScene& chos
 
 void explain_failure(const Outcome& outcome, std::ostream& err) {
   err << "grainproof: the run went wrong at t = " << report::exact(outcome.time) << " s, step "
-      << outcome.step;
-  if (!outcome.particles.empty()) {
-    err << ", particle" << (outcome.particles.size() > 1 ? "s" : "");
-    for (std::int64_t id : outcome.particles) err << " " << id;
-  }
-  err << ": " << outcome.reason << std::endl;
+      << outcome.step << ": " << outcome.reason << std::endl;
+}
+
+void say_what_is_written(const RunOptions& options, std::int64_t frames, bool walls, std::ostream& out) {
+  if (options.out.empty()) return;
+  out << "  written        in " << options.out.string() << ": summary.json, " << report::grouped(frames)
+      << " frames (frames.pvd opens them in ParaView)" << (walls ? ", walls.csv" : "")
+      << (options.csv ? ", frames.csv" : "") << "\n";
 }
 
 }  // namespace
@@ -154,6 +156,7 @@ int run_scene(const RunOptions& options, Terminal& terminal) {
   if (!options.out.empty()) report::write_file(options.out / "summary.json", json);
   if (!options.json.empty()) report::write_file(options.json, json);
   terminal.out << report::summary_text(summary, seen, terminal.paint());
+  say_what_is_written(options, frames, walls.has_value(), terminal.out);
   if (seen.outcome.status == Outcome::Status::completed) return all_held;
   explain_failure(seen.outcome, terminal.err);
   return run_went_wrong;

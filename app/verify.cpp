@@ -14,8 +14,8 @@
 #include "app/oracles.hpp"
 #include "app/progress.hpp"
 #include "app/resources.hpp"
+#include "app/scene_choice.hpp"
 #include "comparisons/judge.hpp"
-#include "input/read_case.hpp"
 #include "model/errors.hpp"
 #include "report/files.hpp"
 #include "report/html.hpp"
@@ -54,13 +54,32 @@ void say_what_is_left_out(const std::vector<std::pair<std::string, Tier>>& left,
   }
 }
 
+const char* word_for(Tier tier) {
+  if (tier == Tier::bulk) return "bulk";
+  return tier == Tier::quick ? "quick" : "standard";
+}
+
+int list_cases(const fs::path& data, Terminal& terminal) {
+  report::TextTable table({{"case"}, {"tier"}, {"title"}});
+  for (const fs::path& file : known_cases(data)) {
+    const Case subject = read_case(file, reading_options());
+    table.add({subject.name, word_for(subject.tier), subject.title});
+  }
+  terminal.out << table.text(terminal.paint());
+  return all_held;
+}
+
 /// Every case is read before any runs, so that a refusal costs nothing. A case that is named runs whatever
 /// its tier.
 std::vector<Case> read_cases(const VerifyOptions& options, const fs::path& data, Progress& progress) {
   std::vector<Case> cases;
   std::vector<std::pair<std::string, Tier>> left;
   for (const fs::path& file : case_files(options, data)) {
-    Case subject = read_case(file);
+    Case subject = read_case(file, reading_options());
+    if (subject.expectations.empty())
+      throw InputRefused(file.string() +
+                         ": found no [[expect]], so there is nothing to judge; expected a claim" +
+                         " (docs/scene.md), or: grainproof run " + file.string());
     if (options.cases.empty() && subject.tier > dearest(options))
       left.emplace_back(subject.name, subject.tier);
     else
@@ -151,6 +170,7 @@ int verify(const VerifyOptions& options, Terminal& terminal) {
   const auto began = std::chrono::steady_clock::now();
   Progress progress(terminal.err, terminal.err_is_terminal, terminal.quiet);
   const fs::path data = data_root();
+  if (options.list) return list_cases(data, terminal);
   const std::vector<Made> engines = engines_asked_for(options, data);
   const std::vector<Case> cases = read_cases(options, data, progress);
   say_what_is_missing(engines, progress);

@@ -17,6 +17,7 @@ struct VerifyOptions {
   std::filesystem::path out;   ///< folder for results.json and report.html; empty writes none
   bool quick = false;          ///< the cases of tier quick only
   bool bulk = false;           ///< those of tier bulk too
+  bool list = false;           ///< name the cases only
   std::size_t jobs = 0;        ///< cases judged at the same time; 0 leaves it to the machine
 };
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/run_summary.hpp"
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
+#include "comparisons/metrics/invariants.hpp"
 #include "report/numbers.hpp"
 
 namespace grainproof::report {
@@ -72,10 +74,14 @@ void energy_lines(const RunSummary& summary, const Observations& seen, std::ostr
     return;
   }
   const Ledger& last = *seen.final_ledger;
+  const double drift = last.balance() - seen.initial_ledger->balance();
+  const Measured share = energy_error({}, seen, {});
   text << "  energy         kinetic " << brief(last.kinetic) << " J, elastic " << brief(last.elastic)
        << " J, dissipated "
        << brief(last.dissipated_normal + last.dissipated_tangential + last.dissipated_rolling)
-       << " J; the ledger drifted by " << brief(last.balance() - seen.initial_ledger->balance()) << " J\n";
+       << " J; the ledger drifted by " << brief(drift) << " J"
+       << (std::isfinite(share.value) ? ", " + brief(std::abs(share.value)) + " of its largest entry" : "")
+       << "\n";
 }
 
 }  // namespace

@@ -31,10 +31,12 @@ TEST_P(Refusal, ExitsWithTwoAndSaysWhatThereIs) {
 INSTANTIATE_TEST_SUITE_P(
     Program, Refusal,
     ::testing::Values(
-        Refused{"NoCommand", "", {"Usage", "verify"}}, Refused{"UnknownCommand", "prove", {"prove"}},
+        Refused{"NoCommand", "", {"Usage", "verify"}},
+        Refused{"UnknownCommand", "prove", {"no command prove", "verify", "run"}},
         Refused{"UnknownOption", "verify --colour", {"--colour"}}, Refused{"MissingScene", "run", {"scene"}},
-        Refused{"UnknownCase", "verify no_such_case", {"no_such_case", "settling", "normal_collision"}},
-        Refused{"UnknownScene", "run no_such_scene", {"no_such_scene", "settling"}},
+        Refused{"UnknownCase", "verify no_such_case", {"no_such_case", "verify --list"}},
+        Refused{"UnknownScene", "run setling", {"setling", "expected settling"}},
+        Refused{"MissingSceneFile", "run nowhere/scene.toml", {"no file nowhere/scene.toml"}},
         Refused{"UnknownEngine",
                 "verify settling --engines mirror",
                 {"mirror", "reference", "opencl", "liggghts"}},
@@ -47,7 +49,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"UnknownDevice", "run settling --engine opencl --device nonesuch", {"nonesuch"}},
         Refused{"UnknownDeviceOfVerify", "verify settling --device nonesuch", {"nonesuch"}},
         Refused{"SceneBeyondTheSweep", "run settling --nth 1000000", {"1000000", "scenes"}},
-        Refused{"ComparedWithNothing", "compare settling --engines reference", {"two engines"}},
+        Refused{
+            "ComparedWithNothing", "compare settling --engines reference", {"two engines", "only reference"}},
+        Refused{"CsvWithoutFolder", "run settling --csv", {"--csv requires --out"}},
         Refused{"BenchOfAnUnknownSuite", "bench sclaing", {"no suite sclaing", "scaling:"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
@@ -60,6 +64,24 @@ TEST(Refusal, OfASceneNamesFileAndLine) {
     EXPECT_NE(ended.err.find(file + ":"), std::string::npos) << ended.err;
     EXPECT_NE(ended.err.find("densty"), std::string::npos) << ended.err;
   }
+}
+
+TEST(Refusal, OfAClaimAboutWhatDoesNotExistNamesItsLine) {
+  const Scratch scratch;
+  const std::string claim = "[[expect]]\nquantity = \"velocty\"\nagainst = \"engine:reference\"\nbelow = 1\n";
+  const std::string file = scratch.file("claim.toml", falling_sphere("schema", "schema") + claim);
+  const Ended quantity = run_program("verify " + file);
+  EXPECT_EQ(quantity.code, 2) << quantity.out;
+  EXPECT_NE(quantity.err.find(":26:"), std::string::npos) << quantity.err;
+  EXPECT_NE(quantity.err.find("expected \"velocity\""), std::string::npos) << quantity.err;
+}
+
+TEST(Refusal, OfACaseThatClaimsNothing) {
+  const Scratch scratch;
+  const std::string file = scratch.file("silent.toml", falling_sphere("schema", "schema"));
+  const Ended ended = run_program("verify " + file);
+  EXPECT_EQ(ended.code, 2) << ended.out;
+  EXPECT_NE(ended.err.find("nothing to judge"), std::string::npos) << ended.err;
 }
 
 TEST(Refusal, OfOneCaseComesBeforeAnotherRuns) {

@@ -113,6 +113,15 @@ std::string tiers_of(const Scratch& scratch) {
   return "GRAINPROOF_DATA=" + scratch.path("").string();
 }
 
+TEST(VerifyCommand, ListsTheCasesThereAreAndRunsNone) {
+  const Scratch scratch;
+  const Ended ended = run_program("verify --list", tiers_of(scratch));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const std::string tier : {"quick", "standard", "bulk"})
+    EXPECT_NE(ended.out.find(tier + "_case"), std::string::npos) << ended.out;
+  EXPECT_EQ(ended.out.find("passed"), std::string::npos) << ended.out;
+}
+
 TEST(VerifyCommand, RunsTheTiersAskedForAndNamesTheCasesItLeavesOut) {
   const Scratch scratch;
   const std::string data = tiers_of(scratch);
