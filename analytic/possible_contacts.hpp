@@ -24,6 +24,7 @@ struct PossibleContact {
   std::pair<double, double> diameters;  ///< m; likewise
 };
 
+/// One for every two materials, and every material and wall, that have laws and of which a body can move.
 std::vector<PossibleContact> possible_contacts(const Scene& scene);
 
 /// Time scale, stiffness and dashpot of one contact.

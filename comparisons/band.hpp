@@ -16,6 +16,7 @@ struct BandDifference {
   double in_bands() const;
 };
 
+/// A number a run on each side, in any order and not of the same count.
 BandDifference band_difference(std::span<const double> seen, std::span<const double> exact);
 
 }  // namespace grainproof

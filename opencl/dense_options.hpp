@@ -33,6 +33,7 @@ struct DenseOptions {
 
 DenseOptions dense_options(const Scene& scene, Precision precision, bool one = false);
 
+/// In the order of the program, names within kernels/; `pocl` takes math_pocl.cl.
 std::vector<std::string> dense_kernel_files(const DenseOptions& options, bool pocl);
 std::string dense_definitions(const DenseOptions& options);
 

@@ -18,6 +18,7 @@ struct Energies {
                                         ///< it crosses periodic
 };
 
+/// J; a frame has all particles of the scene, in its order.
 Energies energies_of(const Scene& scene, const Frame& frame);
 
 /// The same, with what touches counted on the way.

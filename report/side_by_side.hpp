@@ -47,6 +47,7 @@ struct Difference {
 /// NaN in a frame gives NaN for it.
 Difference difference(const Scene& scene, const Seen& first, const Seen& second);
 
+/// For a person: a table of frames for each pair of engines, with the largest at its end.
 std::string difference_text(const std::vector<Difference>& differences, const Paint& paint);
 
 nlohmann::json difference_json(const Difference& difference);

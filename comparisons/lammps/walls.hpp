@@ -7,6 +7,8 @@
 
 namespace grainproof::lammps {
 
+/// Whether LAMMPS has the shape, the motion and the side of it that particles are on; `no` says what it
+/// lacks.
 Support wall_support(const Scene& scene, const Wall& wall);
 
 /// Region that a turning cylinder is, with the variable that turns it; empty for other walls.

@@ -9,6 +9,7 @@
 
 namespace grainproof::liggghts {
 
+/// Whether LIGGGHTS has the shape and the motion; `no` says what it lacks.
 Support wall_support(const Scene& scene, const Wall& wall);
 
 /// Whether a wall is a mesh of triangles, which wants pairs to be found by bins.

@@ -22,6 +22,7 @@ Vec3 separation(const Domain& domain, const Vec3& from, const Vec3& to);
 
 enum class Surface { body, effect };
 
+/// Of unit length, to `second`; from the nearest image of the other, or from the surface of the wall.
 Vec3 normal(const Scene& scene, const Frame& frame, const Pair& pair);
 
 /// Distance between the surfaces, negative when they overlap. A wall's effect reach is zero.

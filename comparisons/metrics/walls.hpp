@@ -12,6 +12,7 @@ struct Facing {
   Vec3 surface_velocity;  ///< m/s, of the surface's nearest point
 };
 
+/// At a time in s, with the wall where its motion has taken it.
 Facing facing(const Wall& wall, const Vec3& x, double time);
 
 /// Time for a point that moves with `velocity` against the wall at rest to come within `reach` of it in a

@@ -25,6 +25,7 @@ struct TypeTable {
   std::vector<std::size_t> of_wall;      ///< by wall
 };
 
+/// A type for every material, size and kind (moving, fixed, wall) that the scene has.
 TypeTable atom_types(const Scene& scene);
 
 /// Of two types that may touch, of which one moves at least; null where the scene has none for them.
@@ -44,6 +45,7 @@ struct PairParameters {
   bool no_tension = false;
 };
 
+/// Defaults where the two have no linear contact.
 PairParameters pair_parameters(const Scene& scene, const AtomType& a, const AtomType& b);
 
 /// All laws of a scene, each pair of materials once.

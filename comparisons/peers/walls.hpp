@@ -15,6 +15,7 @@ struct AxisPlane {
   double at;
 };
 
+/// Empty for any other wall.
 std::optional<AxisPlane> axis_plane(const Wall& wall, const Domain& domain);
 
 /// A speed along one of the axes, m/s.
