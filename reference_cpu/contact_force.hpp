@@ -55,11 +55,15 @@ inline double contact_circle(const ContactPoint& point) {
 
 ContactResponse hertz_response(const PairLaws& laws, const ContactPoint& point, double root_mass);
 
-inline ContactResponse response(const PairLaws& laws, const ContactPoint& point, double root_mass) {
-  if (laws.hertz.present()) return hertz_response(laws, point, root_mass);
+inline ContactResponse linear_response(const PairLaws& laws, const ContactPoint& point, double root_mass) {
   const double eta = laws.normal.damping_for(root_mass);
   return {
       laws.normal.stiffness * point.overlap, eta, {laws.spring.stiffness, laws.spring.damping_ratio * eta}};
+}
+
+inline ContactResponse response(const PairLaws& laws, const ContactPoint& point, double root_mass) {
+  return laws.hertz.present() ? hertz_response(laws, point, root_mass)
+                              : linear_response(laws, point, root_mass);
 }
 
 /// k_t of before over k_t of now, while k_t grows (docs/laws/history.md).

@@ -11,14 +11,16 @@ double move(Bodies& bodies, const Flow&, double step, std::int64_t) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     Body& body = bodies.body[i];
     const Vec3 kick = bodies.acceleration[i] * half_step;
-    bodies.half_velocity[i] = body.velocity + kick;
-    body.position += bodies.half_velocity[i] * step;
-    body.velocity = bodies.half_velocity[i] + kick;
+    const Vec3 half = body.velocity + kick;
+    bodies.half_velocity[i] = half;
+    body.position += half * step;
+    body.velocity = half + kick;
   }
   for (std::size_t i = 0; i < bodies.spin.size(); ++i) {
     const Vec3 kick = bodies.angular_acceleration[i] * half_step;
-    bodies.half_spin[i] = bodies.spin[i].angular_velocity + kick;
-    bodies.spin[i].angular_velocity = bodies.half_spin[i] + kick;
+    const Vec3 half = bodies.spin[i].angular_velocity + kick;
+    bodies.half_spin[i] = half;
+    bodies.spin[i].angular_velocity = half + kick;
   }
   bodies.predicted = true;
   return half_step;

@@ -5,6 +5,15 @@
 #include <algorithm>
 
 namespace grainproof::reference {
+namespace {
+
+bool has_only_springs(const PairLaws& laws) {
+  const TangentialSpring& spring = laws.spring;
+  const bool plain = spring.present() && spring.turn == SpringTurn::project && !spring.keeps_force;
+  return plain && !laws.hertz.present() && !laws.rolling.present();
+}
+
+}  // namespace
 
 PairLaws resolve(const Scene& scene, std::size_t a, std::size_t b) {
   const ContactLaws& laws = scene.contacts.at(a, b);
@@ -22,6 +31,7 @@ PairLaws resolve(const Scene& scene, std::size_t a, std::size_t b) {
   std::visit(Overloaded{[](const NoCohesion&) {},
                         [&](const LinearCohesion& law) { resolved.cohesion.stiffness = law.stiffness; }},
              laws.cohesion);
+  resolved.only_springs = has_only_springs(resolved);
   return resolved;
 }
 

@@ -25,6 +25,8 @@ struct PairLaws {
   TangentialSpring spring;
   RollingResistance rolling;
   double arm_shortening = 0.0;  ///< torque arm: radius less this share of the overlap
+  /// Linear springs, along the normal and against slip, that nothing is made of but ζ laid into the plane.
+  bool only_springs = false;
 
   bool remembers() const { return spring.present() || rolling.spring; }
 

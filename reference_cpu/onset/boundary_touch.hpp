@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "reference_cpu/onset/boundary_step.hpp"
+#include "reference_cpu/onset/half_step.hpp"
 #include "reference_cpu/onset/partial_contact.hpp"
 #include "reference_cpu/touch.hpp"
 
@@ -58,7 +59,8 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   /// Where a law asks for it: it is a division, and simple laws don't.
   double radius_for(const PairLaws& laws, const Encounter& meet) const {
     if constexpr (simple) return 0.0;
-    return laws.hertz.present() || laws.rolling.present() ? this->effective_radius(meet) : 0.0;
+    const bool asked = !laws.only_springs && (laws.hertz.present() || laws.rolling.present());
+    return asked ? this->effective_radius(meet) : 0.0;
   }
 
   Vec3 contact(const PairLaws& laws, const Encounter& meet, ContactPoint point) {
@@ -74,6 +76,8 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
       if (!kept && now_.started) [[unlikely]]
         return begin(laws, meet, arms, point);
     if constexpr (simple && corrects) return last_simple(laws, meet, point);
+    if constexpr (corrects && !simple)
+      if (laws.only_springs && now_.started) return last_sprung(laws, meet, arms, point, *kept);
     return last(laws, meet, arms, point, kept ? *kept : ContactSprings{});
   }
 
@@ -99,12 +103,44 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
       pass_zero(laws, meet, {}, point, {});
   }
 
+  /// As last() where laws have nothing but linear springs and dashpots: what lasts is mostly this.
+  Vec3 last_sprung(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                   const ContactPoint& point, const ContactSprings& kept) {
+    const double separating = point.relative_velocity.dot(point.normal);
+    const Vec3 slip = point.relative_velocity - separating * point.normal;
+    ContactResponse now = linear_response(laws, point, std::sqrt(point.effective_mass));
+    refine(laws.normal.stiffness, inverse_mass(meet), now);
+    refine_shear(meet, arms, now);
+    ContactSprings springs;
+    if (may_let_go(laws.normal.stiffness, -separating, inverse_mass(meet), now)) [[unlikely]]
+      springs.displacement = spring_past_zero(laws, meet, arms, point, kept);
+    else
+      springs.displacement = in_plane(kept.displacement, point.normal) + moved_in(meet, arms);
+    const double normal = laws.normal.force(point.overlap, separating, now.damping);
+    const ContactForce force{normal, laws.spring.force(springs.displacement, slip, normal, now.shear)};
+    if constexpr (turning) this->twist(meet, arms, meet.normal.cross(force.friction));
+    this->log_.contact(laws, meet, arms, point, force, springs);
+    memory_.keep(this->memory_key(meet), meet.second, springs);
+    return force.normal * meet.normal + force.friction;
+  }
+
+  [[gnu::noinline]] Vec3 spring_past_zero(const PairLaws& laws, Encounter meet, TorqueArms arms,
+                                          ContactPoint point, ContactSprings springs) {
+    const Crossing crossing = pass_zero(laws, meet, arms, point, springs);
+    const bool whole_step = crossing.elapsed == now_.step;
+    const Vec3 moved = whole_step ? moved_in(meet, arms) : (slip_at(point) * crossing.elapsed).eval();
+    return in_plane(crossing.springs.displacement, point.normal) + moved;
+  }
+
   Vec3 last(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
             ContactSprings springs) {
     const double root_mass = std::sqrt(point.effective_mass);
     ContactResponse now = response(laws, point, root_mass);
     const double damping = now.damping;
-    if constexpr (corrects) refine(laws, meet, arms, point, now);
+    if constexpr (corrects) {
+      refine(stiffness_now(laws, point, now), inverse_mass(meet), now);
+      if (laws.spring.present()) refine_shear(meet, arms, now);
+    }
     double elapsed = this->history_.elapsed();
     if constexpr (corrects)
       if (now_.started && may_let_go(laws, meet, point, now)) {
@@ -114,7 +150,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
       }
     const bool whole_step = elapsed == now_.step;
     const auto moved_by = [&](const Vec3& slip) -> Vec3 {
-      return whole_step ? moved_in_step(meet, arms) : (slip * elapsed).eval();
+      return whole_step ? moved_in(meet, arms) : (slip * elapsed).eval();
     };
     const ContactForce force = contact_force(laws, point, now, damping, root_mass, moved_by, springs);
     if constexpr (turning) {
@@ -128,15 +164,20 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     return force.normal * meet.normal + force.friction;
   }
 
-  /// Whether the normal force can have changed its sign within the step, and that matters.
+  /// Whether the normal force can have changed its sign within the step.
+  bool may_let_go(double stiffness, double rate, double inverse_mass, const ContactResponse& now) const {
+    const double force = now.push + now.damping * rate;
+    const double change =
+        now_.step * (2.0 * stiffness * std::abs(rate) + now.damping * std::abs(force) * inverse_mass);
+    return std::abs(force) < 2.0 * change;
+  }
+
+  /// Where that matters.
   bool may_let_go(const PairLaws& laws, const Encounter& meet, const ContactPoint& point,
                   const ContactResponse& now) const {
     if (!laws.spring.present() && !laws.normal.no_tension) return false;
     const double rate = -point.relative_velocity.dot(point.normal);
-    const double force = now.push + now.damping * rate;
-    const double change = now_.step * (2.0 * stiffness_now(laws, point, now) * std::abs(rate) +
-                                       now.damping * std::abs(force) * inverse_mass(meet));
-    return std::abs(force) < 2.0 * change;
+    return may_let_go(stiffness_now(laws, point, now), rate, inverse_mass(meet), now);
   }
 
   /// Where the normal force passes zero a spring is cut back to nothing, and a contact that cannot pull has
@@ -152,12 +193,17 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     return laws.hertz.present() ? 1.5 * now.push / point.overlap : laws.normal.stiffness;
   }
 
-  void refine(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
-              ContactResponse& now) const {
-    now.damping *= refined_share(stiffness_now(laws, point, now), now.damping, inverse_mass(meet), now_.step);
-    if (laws.spring.present())
-      now.shear.damping *=
-          refined_share(now.shear.stiffness, now.shear.damping, inverse_sliding_mass(meet, arms), now_.step);
+  void refine(double stiffness, double inverse_mass, ContactResponse& now) const {
+    now.damping *= refined_share(stiffness, now.damping, inverse_mass, now_.step);
+  }
+
+  void refine_shear(const Encounter& meet, const TorqueArms& arms, ContactResponse& now) const {
+    now.shear.damping *=
+        refined_share(now.shear.stiffness, now.shear.damping, inverse_sliding_mass(meet, arms), now_.step);
+  }
+
+  Vec3 moved_in(const Encounter& meet, const TorqueArms& arms) const {
+    return moved_in_step<turning>(this->bodies_, meet, arms, now_.step);
   }
 
   double inverse_mass(const Encounter& meet) const {
@@ -194,40 +240,6 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     return this->as_rolling(laws, meet, arms, bodies.half_spin[meet.second] - of_first);
   }
 
-  /// Of body 2 over body 1, centres or the wall's surface, in the middle of the step.
-  Vec3 half_step_approach(const Encounter& meet) const {
-    const Bodies& bodies = this->bodies_;
-    const Vec3& of_first = meet.with_wall() ? meet.wall_velocity : bodies.half_velocity[meet.first];
-    return bodies.half_velocity[meet.second] - of_first;
-  }
-
-  Vec3 half_step_sweep(const Encounter& meet, const TorqueArms& arms) const {
-    const Bodies& bodies = this->bodies_;
-    Vec3 sweep = arms.second * bodies.half_spin[meet.second];
-    if (!meet.with_wall()) sweep += arms.first * bodies.half_spin[meet.first];
-    return sweep;
-  }
-
-  /// Of body 2 over body 1 where they touch, in the middle of the step.
-  Vec3 half_step_velocity(const Encounter& meet, const TorqueArms& arms) const {
-    Vec3 velocity = half_step_approach(meet);
-    if constexpr (turning) velocity -= half_step_sweep(meet, arms).cross(meet.normal);
-    return velocity;
-  }
-
-  /// By what a tangential spring is stretched in a whole step, m. Spheres roll round each other, so the
-  /// normal in the middle of the step is the one that tells slip from approach.
-  Vec3 moved_in_step(const Encounter& meet, const TorqueArms& arms) const {
-    Vec3 velocity = half_step_approach(meet), middle = meet.normal;
-    if (!meet.with_wall()) {
-      const auto& body = this->bodies_.body;
-      const double apart = body[meet.first].radius + body[meet.second].radius - meet.overlap;
-      middle -= in_plane(velocity, meet.normal) * (0.5 * now_.step / apart);
-    }
-    if constexpr (turning) velocity -= half_step_sweep(meet, arms).cross(middle);
-    return in_plane(in_plane(velocity, middle), meet.normal) * now_.step;
-  }
-
   /// Bodies may slide from the very touch on, at which a dashpot pushes already: the spring is then what
   /// makes it and its own dashpot add up to the limit. A Hertz contact has no dashpot there.
   static Vec3 spring_at_touch(const PairLaws& laws, const ContactPoint& point, const Vec3& slip,
@@ -243,7 +255,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   /// reference every contact would have to hold in memory.
   [[gnu::noinline]] Vec3 begin(const PairLaws& laws, Encounter meet, TorqueArms arms, ContactPoint point) {
     const Vec3 slip = slip_at(point);
-    const double rate = -half_step_velocity(meet, arms).dot(meet.normal);
+    const double rate = -half_step_velocity<turning>(this->bodies_, meet, arms).dot(meet.normal);
     const auto [state, push] = PartialContact(laws, point, now_.step).beginning({meet.overlap, rate});
     const Vec3 spring = spring_at_touch(laws, point, slip, meet.overlap / push.lasted);
     point.overlap = state.overlap;
@@ -279,7 +291,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
                          const ContactForce& force, const PartialPush& push, ContactSprings springs) const;
 
   Memory& memory_;
-  const BoundaryStep& now_;
+  const BoundaryStep now_;
   OnsetEvents& events_;
 };
 

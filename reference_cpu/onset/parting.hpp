@@ -10,7 +10,7 @@ template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log
 BeforeParting BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::before_parting(
     const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, double effective_mass) const {
   const Bodies& bodies = this->bodies_;
-  const Vec3 half = half_step_velocity(meet, arms);
+  const Vec3 half = half_step_velocity<turning>(bodies, meet, arms);
   Vec3 predicted = bodies.body[meet.second].velocity;
   predicted -= meet.with_wall() ? meet.wall_velocity : bodies.body[meet.first].velocity;
   Vec3 rolling = Vec3::Zero();

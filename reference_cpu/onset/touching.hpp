@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "reference_cpu/contact_history.hpp"
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "reference_cpu/contact_force.hpp"
+#include "reference_cpu/contact_walk.hpp"
 
 namespace grainproof::reference {
 
-/// ContactHistory for contacts of which nothing is known but that they touch: a ninth of its size.
+/// ContactHistory for contacts of which nothing is known but that they touch: an eighth of its size.
 class Touching {
  public:
   struct Memory {
@@ -13,49 +18,28 @@ class Touching {
     std::int32_t second;  ///< particle
   };
 
-  Touching() = default;
-  explicit Touching(std::vector<Memory> now) : now_(std::move(now)) {}
+  explicit Touching(std::vector<Memory> remembered = {}) : walk_(std::move(remembered)) {}
 
-  void begin() {
-    before_.swap(now_);
-    now_.clear();
-    parted_.clear();
-    next_ = 0;
-  }
+  void begin() { walk_.begin(); }
 
   /// Null for bodies that did not touch before. To be asked by rising (first, second).
   const ContactSprings* meet(std::int32_t first, std::int32_t second) {
-    while (next_ < before_.size() && precedes(before_[next_], first, second))
-      parted_.push_back(before_[next_++]);
-    if (next_ == before_.size() || before_[next_].first != first || before_[next_].second != second)
-      return nullptr;
-    ++next_;
-    return &at_rest_;
+    return walk_.meet(first, second) ? &at_rest_ : nullptr;
   }
 
-  void keep(std::int32_t first, std::int32_t second, const ContactSprings&) {
-    now_.push_back({first, second});
-  }
+  void keep(std::int32_t first, std::int32_t second, const ContactSprings&) { walk_.keep({first, second}); }
 
-  /// After the last meet(): what touched before and does no more.
-  const std::vector<Memory>& parted() {
-    parted_.insert(parted_.end(), before_.begin() + static_cast<std::ptrdiff_t>(next_), before_.end());
-    next_ = before_.size();
-    return parted_;
-  }
+  const std::vector<Memory>& parted() { return walk_.parted(); }
 
   /// Particle i becomes `place[i]`.
-  void renumber(const std::vector<std::int32_t>& place);
-
-  const std::vector<Memory>& memories() const { return now_; }
-
- private:
-  static bool precedes(const Memory& memory, std::int32_t first, std::int32_t second) {
-    return memory.first != first ? memory.first < first : memory.second < second;
+  void renumber(const std::vector<std::int32_t>& place) {
+    walk_.renumber(place, [](Memory&) {});
   }
 
-  std::vector<Memory> before_, now_, parted_;
-  std::size_t next_ = 0;
+  const std::vector<Memory>& memories() const { return walk_.memories(); }
+
+ private:
+  ContactWalk<Memory> walk_;
   ContactSprings at_rest_;
 };
 
