@@ -9,6 +9,17 @@
 #include "opencl/sources.hpp"
 
 namespace grainproof::opencl {
+namespace {
+
+/// With its last context PoCL forgets its library of built-in functions, and the next program waits 0.7 s
+/// until it has been read again: half of what a small one takes to build. So the first context stays for
+/// good.
+void keep_compiler(const cl::Context& context) {
+  static const auto* kept = new cl::Context(context);
+  (void)kept;
+}
+
+}  // namespace
 
 cl::Kernel& Program::kernel(const std::string& name) {
   auto found = kernels_.find(name);
@@ -33,6 +44,7 @@ Workshop::Workshop(const std::string& device_choice, std::filesystem::path kerne
     largest_group_ = device_.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
     largest_buffer_ = device_.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     context_ = cl::Context(device_);
+    if (pocl_) keep_compiler(context_);
     queue_ = cl::CommandQueue(context_, device_);
   });
 }

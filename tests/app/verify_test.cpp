@@ -148,7 +148,7 @@ std::string timeless(std::string text) {
 
 TEST(VerifyCommand, SaysTheSameHoweverManyCasesItJudgesAtOnce) {
   const std::string cases =
-      "verify mfix_03 settling free_fall drag wall_dragging --engines reference,opencl ";
+      "verify mfix_03 settling free_fall drag wall_dragging --engines reference,opencl:single,opencl:double ";
   const Ended alone = run_program(cases + "--jobs 1"), together = run_program(cases + "--jobs 3");
   EXPECT_EQ(alone.code, 0) << alone.out << alone.err;
   EXPECT_EQ(together.code, alone.code);

@@ -31,6 +31,11 @@ class SameBits : public ::testing::TestWithParam<Varied> {
  protected:
   Precision precision() const { return std::get<0>(GetParam()); }
   Scene scene() const { return varied_scene(std::get<1>(GetParam())); }
+  /// These share their build of every stage, of which there is else one for each integrator and field.
+  bool is_usual() const {
+    const std::string& name = std::get<1>(GetParam());
+    return name == "boxed" || name == "turning_liggghts" || name == "hertz_and_springs";
+  }
 };
 
 TEST_P(SameBits, OnEveryPathAndInEveryBuild) {
@@ -38,9 +43,15 @@ TEST_P(SameBits, OnEveryPathAndInEveryBuild) {
   Request ledger;
   ledger.ledger = true;
   EXPECT_EQ(digest_of(with_path(precision(), Path::zoned), scene()), small) << "zoned";
-  EXPECT_EQ(digest_of(with_path(precision(), Path::small, Stages::full), scene()), small) << "full";
-  EXPECT_EQ(digest_of(with_path(precision(), Path::zoned, Stages::full), scene()), small) << "full, zoned";
   EXPECT_EQ(digest_of(with_path(precision(), Path::small), scene(), ledger), small) << "with a ledger";
+  // Every stage takes three times as long to compile, and whether one left idle changes a bit is no matter of
+  // precision or path: everywhere in one scene of each kind of contact, in every scene in one.
+  if (precision() == Precision::double_precision || is_usual()) {
+    EXPECT_EQ(digest_of(with_path(precision(), Path::small, Stages::full), scene()), small) << "full";
+  }
+  if (is_usual()) {
+    EXPECT_EQ(digest_of(with_path(precision(), Path::zoned, Stages::full), scene()), small) << "full, zoned";
+  }
 }
 
 std::string varied_name(const ::testing::TestParamInfo<Varied>& param) {
@@ -48,8 +59,16 @@ std::string varied_name(const ::testing::TestParamInfo<Varied>& param) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SameBits,
-                         ::testing::Combine(::testing::ValuesIn(every_precision),
+                         ::testing::Combine(::testing::Values(Precision::single_precision,
+                                                              Precision::double_precision),
                                             ::testing::ValuesIn(varied_scene_names())),
+                         varied_name);
+// Mixed is single's forces from double's positions: whatever starts from a position.
+INSTANTIATE_TEST_SUITE_P(Mixed, SameBits,
+                         ::testing::Combine(::testing::Values(Precision::mixed_precision),
+                                            ::testing::Values("boxed", "turning_liggghts",
+                                                              "hertz_and_springs", "sticky", "drum", "paddle",
+                                                              "vortices", "central_gravity_in_rectangles")),
                          varied_name);
 
 class ZonedBits : public ::testing::TestWithParam<Precision> {

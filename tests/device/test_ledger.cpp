@@ -64,17 +64,25 @@ TEST_P(LedgerOf, EnergyBalances) {
   EXPECT_GT(o.final_ledger->dissipated_normal, 0.05 * kinetic);
 }
 
+std::string case_name(const ::testing::TestParamInfo<Case>& param) {
+  return std::string(name_of(std::get<0>(param.param))) + "_" + std::get<1>(param.param);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Scenes, LedgerOf,
-    ::testing::Combine(::testing::ValuesIn(every_precision),
+    ::testing::Combine(::testing::Values(Precision::single_precision, Precision::double_precision),
                        ::testing::Values("boxed", "damped_friction", "fixed", "sticky", "implicit_drag",
                                          "leapfrog_verlet", "velocity_verlet", "rotating_gravity", "history",
                                          "turning_lammps", "turning_liggghts", "turning_damped", "hertz",
                                          "hertz_and_springs", "turning_in_rectangles", "drum", "paddle",
                                          "rolling_steadily")),
-    [](const ::testing::TestParamInfo<Case>& param) {
-      return std::string(name_of(std::get<0>(param.param))) + "_" + std::get<1>(param.param);
-    });
+    case_name);
+// Mixed books single's forces: from overlaps of double's positions with bodies and each kind of wall.
+INSTANTIATE_TEST_SUITE_P(Mixed, LedgerOf,
+                         ::testing::Combine(::testing::Values(Precision::mixed_precision),
+                                            ::testing::Values("boxed", "sticky", "turning_liggghts",
+                                                              "hertz_and_springs", "drum", "paddle")),
+                         case_name);
 
 }  // namespace
 }  // namespace grainproof::opencl::testing

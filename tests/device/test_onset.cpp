@@ -154,7 +154,10 @@ TEST_P(Onset, PathsSkinsAndBuildsGiveTheSameBits) {
       return run->digest();
     };
     const auto small = digest(Path::small, Stages::lean, {});
-    EXPECT_EQ(digest(Path::small, Stages::full, {}), small) << "full";
+    // The largest program of all, once: neither the precision nor the wall is what idle stages could change.
+    if (GetParam() == Precision::double_precision && !wall) {
+      EXPECT_EQ(digest(Path::small, Stages::full, {}), small) << "full";
+    }
     for (const double skin : {0.0, 0.003, 0.04})
       EXPECT_EQ(digest(Path::zoned, Stages::lean, skin), small) << "skin " << skin;
   }
