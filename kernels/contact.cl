@@ -8,7 +8,7 @@ INLINE Push press(World w, Load* load, ContactPoint c, PairLaw law) {
   const real3 slip = c.velocity - separating * c.normal - c.rolling;
   real3 rubbing = friction_force(creeping(w, c, slip, law), pressing, law, c.root_mass);
   const real3 damped = refined_slip(w, c, slip, law.spring * rise.factor, spring_damping_of(law, c.root_mass, rise));
-  const Turnover turnover = c.turnover.since >= 0 ? c.turnover : turnover_of(w, c, law, slip);
+  const Turnover turnover = c.turnover.since >= 0 ? c.turnover : turnover_of(w, c, law, slip, &load->account);
   const real3 moved = stretching_slip(w, c, slip) * c.duration;
   const real held_by = holding(w, pressing);
   const Strain strain = {moved, damped, c.normal, held_by, c.overlap, c.root_mass, c.share, turnover};
@@ -41,9 +41,9 @@ INLINE void meet(World w, Load* load, ContactPoint c, PairLaw law) {
   if (c.overlap > 0) {
     const Onset onset = onset_of(w, &c, law);
     const Push push = press(w, load, c, law);
-    correct_onset(w, c, law, onset, push);
+    correct_onset(w, c, law, onset, push, &load->account);
   } else {
-    end_contact(w, c, law);
+    end_contact(w, c, law, &load->account);
     forget(c.memory);
   }
   if (reaches_farther() && c.reach_overlap > 0) attract(load, c, law);

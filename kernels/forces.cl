@@ -15,4 +15,5 @@ INLINE void finish_forces(World w, Load load, Body self, int step) {
   w.accelerations[self.index] = (real4)(load.force * self.inverse_mass + gravity + drag, 0);
   close_turning(w, self.index, load.turning);
   if (!springs_only(w)) close_account(w, self.index, load.account, gravity, drag, step);
+  book_events(w, self.index, load.account);
 }

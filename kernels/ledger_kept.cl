@@ -3,6 +3,16 @@
 // Energy and impulse, a particle at a time. What a force takes out of all bodies is minus the sum of its power on
 // each, with the velocity that the body has in the middle of its kick; of that no partner needs to be known. What
 // springs hold goes half to each of a pair, or whole to the one that moves.
+
+// What contacts that began or ended within the step have done beside their forces, kernels/onset_booked.cl: impulses, and
+// works that walls put into them.
+typedef struct {
+  bool any;
+  real3 support, braking, rubbing, twisting, resisting;
+  real3 of_one, couple;  // of the wall at hand
+  real braked, rubbed, resisted;
+} Events;
+
 typedef struct {
   real3 support;
   real3 braking;      // forces of normal dashpots
@@ -14,11 +24,13 @@ typedef struct {
   real braked, rubbed, resisted;  // power that walls put into these
   real driven;                    // power of walls
   real elastic, spring, wound, cohesive;
+  Events events;
 } Account;
 
 INLINE Account new_account() {
-  Account a = {(real3)(0), (real3)(0), (real3)(0), (real3)(0), (real3)(0), (real3)(0), (real3)(0), 0, 0, 0, 0, 0, 0, 0,
-               0};
+  const real3 none = (real3)(0);
+  const Events no_events = {false, none, none, none, none, none, none, none, 0, 0, 0};
+  Account a = {none, none, none, none, none, none, none, 0, 0, 0, 0, 0, 0, 0, 0, no_events};
   return a;
 }
 
@@ -57,12 +69,18 @@ INLINE void enter_force(Account* a, real share, real3 force, real3 surface) {
   a->driven += along(force, surface);
 }
 
-INLINE void open_wall(Account* a) { a->of_one = a->couple = (real3)(0); }
+INLINE void open_wall(Account* a) {
+  a->of_one = a->couple = (real3)(0);
+  a->events.of_one = a->events.couple = (real3)(0);
+}
+
+INLINE real3 moment_about(real3 arm, real3 f) {
+  return (real3)(arm.y * f.z - arm.z * f.y, arm.z * f.x - arm.x * f.z, arm.x * f.y - arm.y * f.x);
+}
 
 // The arm goes from the wall's reference point to where its surface is touched.
 INLINE void close_wall(World w, int slot, Account a, real3 arm) {
-  const real3 f = a.of_one;
-  const real3 moment = (real3)(arm.y * f.z - arm.z * f.y, arm.z * f.x - arm.x * f.z, arm.x * f.y - arm.y * f.x);
+  const real3 f = a.of_one, moment = moment_about(arm, f);
   w.wall_tallies[slot].force = (real4)(f, 0);
   w.wall_tallies[slot].moment = (real4)(moment + a.couple, 0);
 }

@@ -86,17 +86,18 @@ INLINE Onset onset_of(World w, ContactPoint* c, PairLaw law) {
   return o;
 }
 
-INLINE void add_correction(World w, ContactPoint c, real3 normal, real3 normal_moment, real3 rubbing,
+INLINE void add_correction(World w, ContactPoint c, Account* account, real3 normal, real3 normal_moment, real3 rubbing,
                            real3 rubbing_moment, real3 rolled) {
-  enter_correction(w, c.self, normal + rubbing, normal_moment + rubbing_moment,
-                   torque_of(rubbing, c.arm, c.normal) + rolled);
+  const real3 torque = torque_of(rubbing, c.arm, c.normal);
+  enter_correction(w, c.self, normal + rubbing, normal_moment + rubbing_moment, torque + rolled);
+  enter_event(account, c, normal, rubbing, torque, rolled);
 }
 
-INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push push) {
+INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push push, Account* account) {
   if ((c.starting || o.begins) && !(c.memory->w > 0)) c.memory->w = greater_of(c.overlap, FLT_MIN);
   if (!o.begins) return;
   const real half_step = w.constants->time.y;
-  add_correction(w, c, (o.impulse - half_step * push.pressing) * c.normal, o.moment * c.normal,
+  add_correction(w, c, account, (o.impulse - half_step * push.pressing) * c.normal, o.moment * c.normal,
                  o.rub - half_step * push.rubbing, o.rub * ((real)0.5 * o.time),
                  ((real)0.5 * o.time - half_step) * push.rolled);  // grows from nothing
 }
@@ -122,7 +123,7 @@ INLINE Rolling rolling_before(ContactPoint c, PairLaw law, Before b, Rise rise) 
 }
 
 // A contact that has parted, or let go, since the last boundary.
-INLINE void let_go(World w, ContactPoint c, PairLaw law, Before b) {
+INLINE void let_go(World w, ContactPoint c, PairLaw law, Before b, Account* account) {
   if (law.lowest == 0 && !(b.force > 0)) return;
   const real step = w.constants->time.x, half_step = w.constants->time.y;
   const Rise rise = rise_of(b.overlap, c.radius, law);
@@ -133,17 +134,18 @@ INLINE void let_go(World w, ContactPoint c, PairLaw law, Before b) {
                        gripping(spring, damping * b.slip, stiffness, law.sliding * magnitude(b.force), law);
   const real3 rubbing = rubbing_over(e.time, b.slip * e.time, spring, e.pressed, stiffness * spring_share(law, false),
                                      damping * damping_share(law), c, law);
-  add_correction(w, c, (e.impulse - half_step * b.force) * c.normal, (e.moment - step * half_step * b.force) * c.normal,
-                 rubbing - half_step * before, (step - (real)0.5 * e.time) * rubbing - step * half_step * before,
+  add_correction(w, c, account, (e.impulse - half_step * b.force) * c.normal,
+                 (e.moment - step * half_step * b.force) * c.normal, rubbing - half_step * before,
+                 (step - (real)0.5 * e.time) * rubbing - step * half_step * before,
                  rolling_to_the_end(rolling_before(c, law, b, rise), law, e.time, e.pressed, half_step));
 }
 
-INLINE void end_contact(World w, ContactPoint c, PairLaw law) {
-  if (was_touching(c.memory)) let_go(w, c, law, before_step(w, c, law));
+INLINE void end_contact(World w, ContactPoint c, PairLaw law, Account* account) {
+  if (was_touching(c.memory)) let_go(w, c, law, before_step(w, c, law), account);
 }
 
 // Where the normal force has changed its sign since the last boundary, a contact that cannot pull has let go.
-INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real3 slip) {
+INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real3 slip, Account* account) {
   Turnover t = no_turnover();
   const bool springs = (law.history & REMEMBERS) != 0;
   if (!(c.foresight > 0) || (law.lowest < 0 && !springs)) return t;
@@ -151,7 +153,7 @@ INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real3 slip) {
   const real now = full_force(c.overlap, separating_rate(c), law, c.root_mass, rise);
   const Before b = before_step(w, c, law);
   if ((b.force > 0) == (now > 0)) return t;
-  if (law.lowest == 0 && b.force > 0) let_go(w, c, law, b);
+  if (law.lowest == 0 && b.force > 0) let_go(w, c, law, b, account);
   if (!springs) return t;
   t.since = w.constants->time.x * now / (now - b.force);
   t.slip = slip;

@@ -10,6 +10,8 @@ INLINE Onset onset_of(World w, ContactPoint* c, PairLaw law) {
   Onset o = {0};
   return o;
 }
-INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push push) {}
-INLINE void end_contact(World w, ContactPoint c, PairLaw law) {}
-INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real3 slip) { return no_turnover(); }
+INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push push, Account* account) {}
+INLINE void end_contact(World w, ContactPoint c, PairLaw law, Account* account) {}
+INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real3 slip, Account* account) {
+  return no_turnover();
+}

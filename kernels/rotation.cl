@@ -21,6 +21,9 @@ INLINE real torque_arm(real radius, real overlap, PairLaw law) {
 
 INLINE real3 spin_of(World w, int i) { return w.spins[i].xyz; }
 INLINE real3 middle_spin_of(World w, int i) { return w.spin_middles[i].xyz; }
+INLINE real3 settled_spin(World w, int i) {
+  return w.spin_middles[i].xyz + w.angular_accelerations[i].xyz * w.constants->time.y;
+}
 
 // v_rel = v2 − v1 − (a1 ω1 + a2 ω2) × n: the last term.
 INLINE real3 rolling_of_pair(World w, int i, real arm_i, int j, real arm_j, real3 normal) {

@@ -12,6 +12,7 @@ INLINE Turning no_turning() {
 INLINE real torque_arm(real radius, real overlap, PairLaw law) { return 0; }
 INLINE real3 spin_of(World w, int i) { return (real3)(0); }
 INLINE real3 middle_spin_of(World w, int i) { return (real3)(0); }
+INLINE real3 settled_spin(World w, int i) { return (real3)(0); }
 INLINE real3 rolling_of_pair(World w, int i, real arm_i, int j, real arm_j, real3 normal) { return (real3)(0); }
 INLINE real3 rolling_in(const global real4* spins, int i, real arm_i, int j, real arm_j, real3 normal) {
   return (real3)(0);

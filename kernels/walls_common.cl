@@ -31,6 +31,7 @@ INLINE void meet_wall(World w, Load* load, Body self, ContactPoint c, real3 from
   open_wall(&load->account);
   meet(w, load, c, law);
   close_wall(w, slot, load->account, touched + stand.offset.xyz);
+  book_wall_events(w, slot, load->account, touched + stand.offset.xyz);
   if (c.overlap > w.constants->limits.x * c.radius)
     blame(w, self.index, step, TOO_DEEP, -1 - surface->wall.y, OVERLAPPED_AT);
 }

@@ -144,9 +144,15 @@ std::vector<std::string> contact_files(const BuildOptions& o) {
   if (!o.corrects())
     return {"contact_point.cl", "stretch_middle.cl", "dashpots_explicit.cl",
             "refined_none.cl",  "onset_none.cl",     "contact.cl"};
-  return {"contact_point.cl",   "stretch_middle.cl", "dashpots_explicit.cl",
-          "onset_flow.cl",      "onset_linear.cl",   o.hertz ? "onset_hertz.cl" : "onset_by_linear.cl",
-          "onset_corrected.cl", "contact.cl"};
+  return {"contact_point.cl",
+          "stretch_middle.cl",
+          "dashpots_explicit.cl",
+          "onset_flow.cl",
+          "onset_linear.cl",
+          o.hertz ? "onset_hertz.cl" : "onset_by_linear.cl",
+          o.ledger ? "onset_booked.cl" : "onset_unbooked.cl",
+          "onset_corrected.cl",
+          "contact.cl"};
 }
 
 /// How often forces are evaluated in a step, and for how long springs are stretched before.

@@ -44,14 +44,6 @@ double skin_for_endings(const Scene& scene, double skin) {
   return scene.particles.empty() ? skin : std::max(skin, 0.1 * smallest);
 }
 
-Support corrections_supported(const Scene& scene, const Request& request) {
-  if (scene.run.integrator != Integrator::onset_corrected) return {};
-  if (request.ledger)
-    return Support::no(
-        "the ledger does not book what onset_corrected does beside the forces; take velocity_verlet");
-  return {};
-}
-
 /// A tenth of the mean diameter: the usual compromise between long lists and frequent ones.
 double given_or_usual_skin(const Scene& scene) {
   if (scene.run.skin >= 0.0) return scene.run.skin;
@@ -75,7 +67,6 @@ std::string OpenClEngine::name() const {
 Support OpenClEngine::supports(const Scene& scene, const Request& request) const {
   if (needs_doubles(options_.precision) && !workshop_->has_double_precision())
     return Support::no("the device " + workshop_->device_name() + " has no double precision");
-  if (const Support corrected = corrections_supported(scene, request); !corrected) return corrected;
   if (const Support composed =
           composition_within_limits(scene, request, takes_small_path(options_.path, scene));
       !composed)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opencl/read_ledger.hpp"
 
+#include "opencl/corrections.hpp"
 #include "opencl/pair_laws.hpp"
 
 namespace grainproof::opencl {
@@ -17,9 +18,11 @@ class LedgerReader {
   LedgerReader(const LedgerBytes& bytes, const Decoder& decoder, const Frame& now, double pending)
       : bytes_(bytes), decoder_(decoder), now_(now), pending_(pending) {}
 
-  /// What is pending acts on a body half-way from the velocity that is held to the one at the boundary.
+  /// What is pending acts on a body half-way from the velocity that is held to the one at the boundary,
+  /// before contacts that began or ended have corrected it: those are in the sums.
   void add(std::size_t i, Ledger& l) const {
-    const Vec3 path = pending_ / 2 * (decoder_.vector(bytes_.velocities, i) + now_.velocity[i]);
+    const Vec3 settled = now_.velocity[i] - correction(i, 0);
+    const Vec3 path = pending_ / 2 * (decoder_.vector(bytes_.velocities, i) + settled);
     l.support_impulse += sum(i, 0) + pending_ * now(i, support);
     l.field_impulse += sum(i, 1) + pending_ * (now(i, weight) + now(i, drag));
     l.gravity_work += sum(i, 2)[0] + now(i, weight).dot(path);
@@ -33,7 +36,8 @@ class LedgerReader {
   }
 
   void add_turning(std::size_t i, Ledger& l) const {
-    const Vec3 turn = pending_ / 2 * (decoder_.vector(bytes_.spins, i) + now_.angular_velocity[i]);
+    const Vec3 settled = now_.angular_velocity[i] - correction(i, 2);
+    const Vec3 turn = pending_ / 2 * (decoder_.vector(bytes_.spins, i) + settled);
     l.dissipated_tangential -= now(i, twisting).dot(turn);
     l.dissipated_rolling -= now(i, resisting).dot(turn);
   }
@@ -51,6 +55,10 @@ class LedgerReader {
     l.cohesive += after[0];
     l.dissipated_tangential -= after[1] - before[1];
     l.dissipated_rolling -= after[2] - before[2];
+  }
+  Vec3 correction(std::size_t i, std::size_t word) const {
+    if (bytes_.corrections.empty()) return Vec3::Zero();
+    return decoder_.vector(bytes_.corrections, correction_words * i + word);
   }
   Vec3 sum(std::size_t i, std::size_t row) const {
     return decoder_.vector(bytes_.sums, ledger_rows * i + row) +

@@ -9,6 +9,7 @@ namespace grainproof::opencl {
 struct LedgerBytes {
   Bytes tallies, sums, velocities, spins;
   Bytes wall_tallies, wall_sums;  ///< a slot for every particle and wall within reach
+  Bytes corrections;              ///< empty where the integrator makes none
 };
 
 /// Adds up in id order, in double. `pending` is how long the last forces have acted beyond what the

@@ -3,6 +3,7 @@
 #include "opencl/run.hpp"
 
 #include "opencl/bytes.hpp"
+#include "opencl/corrections.hpp"
 #include "opencl/failure.hpp"
 #include "opencl/read_ledger.hpp"
 #include "opencl/wall_image.hpp"
@@ -167,7 +168,9 @@ Ledger DeviceRun::ledger() {
       read_particles(options_.holds_middles() ? world_.middles : world_.velocities, decoder_->vector_bytes()),
       read_spins(options_.holds_middles() ? world_.spin_middles : world_.spins),
       read_particles(world_.wall_tallies, slots * decoder_->wall_tally_bytes()),
-      read_particles(world_.wall_sums, slots * decoder_->wall_sums_bytes())};
+      read_particles(world_.wall_sums, slots * decoder_->wall_sums_bytes()),
+      options_.corrects() ? read_particles(world_.corrections, correction_words * decoder_->vector_bytes())
+                          : Bytes{}};
   return read_ledger(scene_, image_.near, frame(), bytes, *decoder_, pending);
 }
 

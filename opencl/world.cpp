@@ -5,12 +5,10 @@
 #include <algorithm>
 
 #include "opencl/bytes.hpp"
+#include "opencl/corrections.hpp"
 
 namespace grainproof::opencl {
 namespace {
-
-/// CORRECTION_WORDS of kernels/corrections_kept.cl.
-constexpr std::size_t correction_words = 3;
 
 Bytes repeated(const Bytes& bytes, std::size_t times) {
   Bytes all;

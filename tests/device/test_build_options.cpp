@@ -100,6 +100,16 @@ TEST(BuildOptions, EveryIntegratorIsAFile) {
   }
 }
 
+TEST(BuildOptions, CorrectionsAreBookedWhereALedgerIsKept) {
+  Scene scene = head_on_scene(0.8, 64);
+  scene.run.integrator = Integrator::onset_corrected;
+  Request ledger;
+  ledger.ledger = true;
+  const auto with = files_of(options_of(scene, ledger)), without = files_of(options_of(scene));
+  EXPECT_TRUE(has(with, "onset_booked.cl") && has(with, "ledger_kept.cl"));
+  EXPECT_TRUE(has(without, "onset_unbooked.cl") && has(without, "ledger_none.cl"));
+}
+
 TEST(BuildOptions, PeriodicityAndMaterialsAreDefinitions) {
   Scene scene = head_on_scene(0.8, 64);
   scene.domain.boundary[1] = Boundary::periodic;

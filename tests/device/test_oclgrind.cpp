@@ -102,7 +102,7 @@ TEST_F(OclgrindOnce, FindsNothingInTheDensePathInCanonicalOrder) {
 }
 
 TEST_F(OclgrindOnce, FindsNothingWhereALedgerIsKept) {
-  for (const char* scene : {"leapfrog_verlet", "turning_liggghts", "drum"})
+  for (const char* scene : {"leapfrog_verlet", "turning_liggghts", "drum", "onset_turning"})
     expect_clean(run_driver(checker, std::string("double zoned ") + scene + " 8 8 ledger"));
 }
 
@@ -132,6 +132,10 @@ std::set<std::string> files_run_above() {
       add(kernel_files(build_options(any_scene(name, 2), {}, Precision::single_precision, small), false));
   for (const std::string& name : rare_scene_names(true))
     add(kernel_files(build_options(any_scene(name, 2), {}, Precision::double_precision, true), false));
+  Request ledger;
+  ledger.ledger = true;
+  add(kernel_files(build_options(any_scene("onset_turning", 8), ledger, Precision::double_precision, false),
+                   false));
   const BuildOptions some =
       build_options(varied_scene("damped_friction"), {}, Precision::double_precision, false);
   add(kernel_files(with_every_stage(some), false));

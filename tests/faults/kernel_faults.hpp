@@ -151,6 +151,8 @@ inline constexpr std::array kernel_faults{
                 "Begun b = {mass * f.gain", "onset_normal"},
     KernelFault{"EndingNotCorrected", "onset_corrected.cl", "(e.impulse - half_step * b.force)",
                 "(e.impulse - e.impulse)", "onset_normal"},
+    KernelFault{"CorrectionsNotBooked", "onset_booked.cl", "along(e.braking, velocity) - e.braked",
+                "-e.braked", "onset_oblique_wall"},
     KernelFault{"DashpotTwiceAsImplicit", "dashpots_implicit.cl", "time.y * damping", "time.x * damping",
                 "implicit_settling"},
     KernelFault{"DashpotsTakeTheMiddleOfTheStep", "velocity_verlet_implicit.cl",
