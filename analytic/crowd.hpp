@@ -9,6 +9,7 @@ namespace grainproof::analytic {
 struct Crowd {
   double contacts;   ///< how many
   double along;      ///< Σ (n·e)² for any direction e
+  double across;     ///< Σ 1 − (n·e)², likewise
   double resultant;  ///< |Σ n|
 
   bool alone() const { return contacts <= 1.0; }

@@ -14,6 +14,8 @@ struct ContactLoad {
   ContactScale scale;
   double tangential_stiffness = 0.0;  ///< of a spring that remembers; 0 without one
   double tangential_damping = 0.0;
+  double creep_stiffness = 0.0;  ///< of friction without memory: times the step its dashpot (friction.2)
+  double creep_damping = 0.0;    ///< that dashpot where the step has no part in it, at the heaviest partner
   double crowded_damping = 1.0;  ///< by how much more the heaviest partner is damped; restitution makes it so
   double turning = 1.0;          ///< by how much more a force moves the point of contact than the centre
   double spin = 0.0;  ///< share of that which is turning, springs against rolling included (stability.7)

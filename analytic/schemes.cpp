@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "model/errors.hpp"
 
@@ -164,7 +166,7 @@ double implicit_limit(const LinearContact& contact) {
 constexpr double round_off = 1e-12;
 
 /// Where the first instability begins; there may be stable steps beyond it.
-double first_unstable_step(const LinearScheme& scheme, const LinearContact& contact) {
+double searched_first_unstable_step(const LinearScheme& scheme, const LinearContact& contact) {
   const auto number = [](double value) { return MatrixXd::Constant(1, 1, value); };
   const LinearSystem system{number(contact.stiffness / contact.mass),
                             number(contact.remembered / contact.mass), number(contact.damping / contact.mass),
@@ -180,6 +182,16 @@ double first_unstable_step(const LinearScheme& scheme, const LinearContact& cont
   double high = 1.05 * low;
   while (high - low > 1e-6 * high) (stable(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
   return low;
+}
+
+/// Kept, since the scenes of a sweep mostly have the same contacts and a search takes as long as reading one.
+double first_unstable_step(const LinearScheme& scheme, const LinearContact& contact) {
+  constexpr std::size_t most_kept = 256;
+  thread_local std::map<std::pair<std::string_view, LinearContact>, double> kept;
+  const auto found = kept.find({scheme.name, contact});
+  if (found != kept.end()) return found->second;
+  if (kept.size() >= most_kept) kept.clear();
+  return kept[{scheme.name, contact}] = searched_first_unstable_step(scheme, contact);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <Eigen/Dense>
+#include <compare>
 #include <span>
 #include <string_view>
 
@@ -34,6 +35,7 @@ struct LinearScheme {
 /// One contact: effective mass, spring, spring that remembers, dashpot, drag rate.
 struct LinearContact {
   double mass, stiffness, remembered, damping, drag_rate;
+  auto operator<=>(const LinearContact&) const = default;
 };
 
 /// Largest step that keeps the flip condition; infinity without a limit.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <sstream>
 
@@ -17,11 +18,18 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// `because` is called only where it is needed: of all limits of a scene few are ever told.
-template <class Because>
-void keep_smaller(StepLimit& limit, double step, Because because) {
-  if (step < limit.step) limit = {step, because()};
-}
+/// The reason is put into words at the end, for one limit of all: a sweep has thousands.
+struct Smallest {
+  double step = no_limit;
+  std::function<std::string()> because = [] { return "nothing limits the step"; };
+
+  template <class Because>
+  void keep(double other, Because reason) {
+    if (!(other < step)) return;
+    step = other;
+    because = reason;
+  }
+};
 
 std::string described(const ContactScale& scale) {
   std::ostringstream text;
@@ -57,12 +65,37 @@ double crowded_damping(const PossibleContact& contact, double heaviest) {
   return std::sqrt(effective_mass(lightest, heaviest) / contact.mass);
 }
 
+/// Mass that the heaviest partner present makes of a contact.
+double crowded_mass(const PossibleContact& contact, double heaviest) {
+  if (contact.on_wall) return contact.mass;
+  return effective_mass(std::min(contact.masses.first, contact.masses.second), heaviest);
+}
+
+/// The static branches that refer to a normal stiffness have the linear law's.
+LinearNormal linear_normal(const ContactLoad& load) {
+  const auto* linear = std::get_if<LinearNormal>(&load.contact.laws->normal);
+  return linear ? *linear : LinearNormal{load.scale.stiffness, Damping{load.scale.damping}};
+}
+
+/// c of friction.2 where the step has no part in it; 0 for all other friction.
+double creep_rate(double mass, const LinearNormal& normal, const FrictionLaw& friction) {
+  const double impact_time = boost::math::constants::pi<double>() * std::sqrt(mass / normal.stiffness);
+  if (const auto* law = std::get_if<CollisionTimeFriction>(&friction)) return law->stiffness * impact_time;
+  if (const auto* law = std::get_if<DampedFriction>(&friction))
+    return law->stiffness * impact_time + damping(normal, mass);
+  return 0.0;
+}
+
 ContactLoad load_of(const Scene& scene, const PossibleContact& contact, const ClosingSpeeds& speeds,
                     double heaviest) {
   ContactLoad load{.contact = contact, .scale = scale_of(scene, contact, speeds)};
   load.crowded_damping = std::max(1.0, crowded_damping(contact, heaviest));
   load.turning = turning_of(scene, *contact.laws);
   if (scene.rotation) load.spin = std::holds_alternative<SpringRolling>(contact.laws->rolling) ? 5.0 : 2.5;
+  if (const auto* step = std::get_if<StepFriction>(&contact.laws->friction))
+    load.creep_stiffness = step->stiffness;
+  load.creep_damping =
+      creep_rate(crowded_mass(contact, heaviest), linear_normal(load), contact.laws->friction);
   const auto* friction = std::get_if<HistoryFriction>(&contact.laws->friction);
   if (!friction) return load;
   load.tangential_stiffness = friction->stiffness;
@@ -82,26 +115,22 @@ double friction_limit(const Scene& scene, const ContactLoad& load, double drag) 
     return pair_limit(
         linear_scheme(scene.run.integrator),
         {contact.mass / load.turning, 0.0, load.tangential_stiffness, load.tangential_damping, drag});
-  // The static branches that refer to a normal stiffness have the linear law's.
-  const auto* linear = std::get_if<LinearNormal>(&contact.laws->normal);
-  return creep_limit(scene.run.integrator, contact.mass,
-                     linear ? *linear : LinearNormal{load.scale.stiffness, Damping{load.scale.damping}},
-                     contact.laws->friction, drag, load.turning);
+  return creep_limit(scene.run.integrator, contact.mass, linear_normal(load), contact.laws->friction, drag,
+                     load.turning);
 }
 
 /// Every condition is monotonic in the drag rate, so the two partners' rates bracket the pair's.
-void limit_by_contact(const Scene& scene, const ContactLoad& load, StepLimit& limit) {
+void limit_by_contact(const Scene& scene, const ContactLoad& load, Smallest& limit) {
   const ContactScale& scale = load.scale;
   for (const double drag : {load.contact.slowest_drag, load.contact.fastest_drag}) {
-    keep_smaller(
-        limit,
+    limit.keep(
         pair_stability_limit(scene.run.integrator, load.contact.mass, scale.stiffness, scale.damping, drag),
-        [&] {
-          return "normal contact of " + described(scale) + " under " +
+        [&scene, &load] {
+          return "normal contact of " + described(load.scale) + " under " +
                  std::string(name_of(scene.run.integrator));
         });
-    keep_smaller(limit, friction_limit(scene, load, drag), [&] {
-      return "friction of " + described(scale) +
+    limit.keep(friction_limit(scene, load, drag), [&load] {
+      return "friction of " + described(load.scale) +
              ": above it the contact chatters where it should come to rest";
     });
     if (load.contact.slowest_drag == load.contact.fastest_drag) break;
@@ -117,9 +146,8 @@ double pair_stability_limit(Integrator integrator, double mass, double stiffness
 
 double creep_limit(Integrator integrator, double mass, const LinearNormal& normal,
                    const FrictionLaw& friction, double drag_rate, double turning) {
-  const double impact_time = boost::math::constants::pi<double>() * std::sqrt(mass / normal.stiffness);
-  const auto limit_of = [&](double rate) {
-    return pair_stability_limit(integrator, mass, 0.0, turning * rate, drag_rate);
+  const auto lasting = [&](const auto& law) {
+    return pair_stability_limit(integrator, mass, 0.0, turning * creep_rate(mass, normal, law), drag_rate);
   };
   const double drag = integrator == Integrator::euler_trapezoid_implicit_drag ? -drag_rate : drag_rate;
   return std::visit(
@@ -134,10 +162,8 @@ double creep_limit(Integrator integrator, double mass, const LinearNormal& norma
             return 8.0 * mass /
                    (slowed + std::sqrt(slowed * slowed + 16.0 * g * turning * law.stiffness * mass));
           },
-          [&](const CollisionTimeFriction& law) { return limit_of(law.stiffness * impact_time); },
-          [&](const DampedFriction& law) {
-            return limit_of(law.stiffness * impact_time + damping(normal, mass));
-          },
+          [&](const CollisionTimeFriction& law) { return lasting(law); },
+          [&](const DampedFriction& law) { return lasting(law); },
           [](const HistoryFriction&) { return no_limit; },
       },
       friction);
@@ -145,7 +171,7 @@ double creep_limit(Integrator integrator, double mass, const LinearNormal& norma
 
 StepLimit stability_limit(const Scene& scene, std::optional<double> impact_speed) {
   const Integrator integrator = scene.run.integrator;
-  StepLimit limit{no_limit, "nothing limits the step"};
+  Smallest limit;
   const ClosingSpeeds speeds(scene, impact_speed);
   const double heaviest = heaviest_body(scene);
   std::vector<ContactLoad> loads;
@@ -153,14 +179,14 @@ StepLimit stability_limit(const Scene& scene, std::optional<double> impact_speed
     loads.push_back(load_of(scene, contact, speeds, heaviest));
   for (const ContactLoad& load : loads) limit_by_contact(scene, load, limit);
   const StepLimit crowded = crowd_limit(scene, loads);
-  keep_smaller(limit, crowded.step, [&] { return crowded.because; });
+  limit.keep(crowded.step, [&] { return crowded.because; });
   for (const Particle& particle : scene.particles) {
     if (particle.fixed) continue;
     const double rate = drag_rate(scene.flow, scene.materials[particle.material].density, particle.diameter);
-    const double step = pair_stability_limit(integrator, 1.0, 0.0, 0.0, rate);
-    if (step < limit.step) limit = {step, "drag on particle " + std::to_string(particle.id)};
+    limit.keep(pair_stability_limit(integrator, 1.0, 0.0, 0.0, rate),
+               [&particle] { return "drag on particle " + std::to_string(particle.id); });
   }
-  return limit;
+  return {limit.step, limit.because()};
 }
 
 }  // namespace grainproof::analytic

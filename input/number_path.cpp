@@ -9,7 +9,7 @@ namespace grainproof::input {
 namespace {
 
 const std::vector<std::string_view> sweep_keys{"step",        "step_dither", "onset", "integrator",
-                                               "orientation", "offset",      "seeds"};
+                                               "orientation", "offset",      "scale", "seeds"};
 
 const toml::node* element(const toml::array& array, std::string_view part) {
   std::size_t index = 0;

@@ -158,7 +158,7 @@ TEST(Crowd, IsNeverExceededByNeighboursThatFindRoom) {
   for (int i = 0; i < 30; ++i) add_sphere(scene, Vec3::Zero(), Vec3::Zero());
   const Crowd crowd = crowd_of(scene, d);
   std::mt19937 random(5);
-  double along = 0.0;
+  double along = 0.0, across = 0.0;
   for (int sample = 0; sample < 300; ++sample) {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     Vec3 resultant = Vec3::Zero();
@@ -172,8 +172,13 @@ TEST(Crowd, IsNeverExceededByNeighboursThatFindRoom) {
     const double here = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvalues().maxCoeff();
     EXPECT_LE(here, crowd.along);
     along = std::max(along, here);
+    const double aside = static_cast<double>(neighbours.size()) -
+                         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvalues().minCoeff();
+    EXPECT_LE(aside, crowd.across);
+    across = std::max(across, aside);
   }
   EXPECT_GT(along, 3.0);  // or the search would say nothing
+  EXPECT_GT(across, 6.0);
 }
 
 TEST(Crowd, CountsWallsThatCanBeTouchedTogether) {
@@ -228,6 +233,40 @@ INSTANTIATE_TEST_SUITE_P(, GuardOfCrystals,
                          testing::Combine(testing::Values(Integrator::euler_trapezoid,
                                                           Integrator::velocity_verlet),
                                           testing::Values(1.0, 0.8, 0.1), testing::Bool()));
+
+/// Of the quickest motion, by a step of that size: a dashpot along the tangent plane may itself be as large.
+double growth_of(const Scene& scene, double h) {
+  const LinearScheme& scheme = linear_scheme(scene.run.integrator);
+  std::vector<LinearSystem> bound;
+  for (const LinearSystem& part :
+       symmetric_parts(scene, linearised(scene, Prestress::left_out, {scheme.weakens, h})))
+    bound.push_back(without_free_motions(part));
+  return growth_a_step(scheme, bound, h);
+}
+
+class GuardOfCreepingCrystals : public testing::TestWithParam<std::tuple<Integrator, bool, FrictionLaw>> {};
+
+TEST_P(GuardOfCreepingCrystals, NeverPermitsAStepAboveTheirLimit) {
+  const auto& [integrator, rotation, friction] = GetParam();
+  Scene scene = face_centred(true);
+  scene.rotation = rotation;
+  scene.run.integrator = integrator;
+  scene.contacts.set(0, 0, ContactLaws{LinearNormal{k, Restitution{0.8}}, friction});
+  const double permitted = stability_limit(scene).step;
+  EXPECT_LE(growth_of(scene, permitted), 1.0 + 1e-9);
+  // A guard that refuses everything would pass, too.
+  EXPECT_GT(growth_of(scene, 2.0 * permitted), 1.0 + 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , GuardOfCreepingCrystals,
+    testing::Combine(testing::Values(Integrator::euler_trapezoid, Integrator::velocity_verlet,
+                                     Integrator::velocity_verlet_predicted,
+                                     Integrator::velocity_verlet_implicit, Integrator::onset_corrected),
+                     testing::Bool(),
+                     testing::Values(FrictionLaw{StepFriction{0.5, k_t}},
+                                     FrictionLaw{CollisionTimeFriction{0.5, k_t}},
+                                     FrictionLaw{DampedFriction{0.5, k_t}})));
 
 }  // namespace
 }  // namespace grainproof::analytic
