@@ -27,7 +27,7 @@ class LedgerKeeper {
 
   /// Half of what a contact that began or ended has done, with the velocities as they are: once before they
   /// are corrected and once after.
-  void half_of(const OnsetEvent& event, const Bodies& bodies, const Walls& walls);
+  void half_of(const OnsetEvent& event, const Bodies& bodies, const Walls& walls, const PeriodicBox& box);
 
   /// The ledger at the current step. `pending` is how long (s) the present forces still have to act
   /// to bring the velocities up to the step boundary.
@@ -75,7 +75,8 @@ class LedgerKeeper {
   void book_rolling(Sums& sums, const Kick& kick) const;
   /// Path by which turning alone carries the surfaces past each other, before the cross product with n.
   static Vec3 sweep(const Kick& kick, const LoggedContact& contact);
-  void book_on_wall(const OnsetEvent& event, const Bodies& bodies, const Walls& walls);
+  void book_on_wall(const OnsetEvent& event, const Bodies& bodies, const Walls& walls,
+                    const PeriodicBox& box);
   void book_fields(Sums& sums, const Kick& kick) const;
   Vec3 drag_impulse(const Kick& kick, std::int32_t particle) const;
 

@@ -174,9 +174,9 @@ void ReferenceRun::add_contacts(double elapsed, ForceLog* log) {
 
 void ReferenceRun::correct_onsets() {
   for (const OnsetEvent& event : events_) {
-    if (ledger_) ledger_->half_of(event, bodies_, walls_);
+    if (ledger_) ledger_->half_of(event, bodies_, walls_, box_);
     correct(bodies_, box_, event);
-    if (ledger_) ledger_->half_of(event, bodies_, walls_);
+    if (ledger_) ledger_->half_of(event, bodies_, walls_, box_);
   }
   events_.clear();
 }

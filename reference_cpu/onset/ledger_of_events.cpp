@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "reference_cpu/ledger_keeper.hpp"
+#include "reference_cpu/surfaces.hpp"
 
 namespace grainproof::reference {
 namespace {
@@ -21,7 +22,8 @@ Vec3 sweep_of(const OnsetEvent& event, const Bodies& bodies) {
 }  // namespace
 
 // The energy of the springs is that of where they are, so all that an event takes is dissipated.
-void LedgerKeeper::half_of(const OnsetEvent& event, const Bodies& bodies, const Walls& walls) {
+void LedgerKeeper::half_of(const OnsetEvent& event, const Bodies& bodies, const Walls& walls,
+                           const PeriodicBox& box) {
   const Encounter& meet = event.meet;
   const Vec3 velocity = relative_velocity(meet, bodies);
   sums_.dissipated_normal.add(-0.5 * event.push.dot(velocity));
@@ -35,23 +37,25 @@ void LedgerKeeper::half_of(const OnsetEvent& event, const Bodies& bodies, const 
   sums_.taken_by_friction.add(-0.5 * event.rub.dot(slip));
   const Vec3 half = 0.5 * (event.push + event.rub);
   if (meet.with_wall()) {
-    book_on_wall(event, bodies, walls);
+    book_on_wall(event, bodies, walls, box);
   } else {
     if (bodies.body[meet.first].fixed()) sums_.support.add(half);
     if (bodies.body[meet.second].fixed()) sums_.support.add(-half);
   }
 }
 
-void LedgerKeeper::book_on_wall(const OnsetEvent& event, const Bodies& bodies, const Walls& walls) {
+void LedgerKeeper::book_on_wall(const OnsetEvent& event, const Bodies& bodies, const Walls& walls,
+                                const PeriodicBox& box) {
   const Encounter& meet = event.meet;
   const WallNow& wall = walls[wall_of(meet)];
   const Body& body = bodies.body[meet.second];
   const Vec3 half = 0.5 * (event.push + event.rub), turn = 0.5 * event.resist;
   const Vec3 surface = event.centre - (body.radius - meet.overlap) * meet.normal;
+  const Vec3 arm = std::visit([&](const auto& shape) { return arm_to(shape, surface, box); }, wall.shape);
   sums_.support.add(half);
   sums_.wall_work.add(half.dot(meet.wall_velocity) + turn.dot(wall.spin));
   sums_.walls[wall_of(meet)].impulse.add(half);
-  sums_.walls[wall_of(meet)].angular_impulse.add((surface - wall.reference).cross(half) + turn);
+  sums_.walls[wall_of(meet)].angular_impulse.add(arm.cross(half) + turn);
 }
 
 }  // namespace grainproof::reference

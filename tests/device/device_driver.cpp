@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
-// device_driver PRECISION PATH SCENE LAYERS STEPS [full] [ledger] [canonical]: takes the steps and prints the
-// digest. A program of its own, to be run with other environments and under oclgrind.
+// device_driver PRECISION PATH SCENE LAYERS STEPS [full] [ledger] [canonical] [pressed]: takes the steps and
+// prints the digest. A program of its own, to be run with other environments and under oclgrind.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 #include "device_fixture.hpp"
 #include "rare_scenes.hpp"
+#include "varied_scenes.hpp"
 
 namespace grainproof::opencl::testing {
 namespace {
@@ -23,9 +25,30 @@ EngineOptions options_from(const std::string& precision, const std::string& path
   return options;
 }
 
+std::size_t touching_pairs(const std::vector<Particle>& bodies) {
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double reach = (bodies[i].diameter + bodies[j].diameter) / 2;
+      pairs += (bodies[i].position - bodies[j].position).squaredNorm() < reach * reach ? 1 : 0;
+    }
+  return pairs;
+}
+
+/// Makes the spheres of a lattice so large that neighbours overlap a little, for a dozen steps bring none
+/// together.
+void press(Scene& scene) {
+  for (Particle& body : scene.particles) {
+    body.diameter = lattice_spacing + 0.3 * (body.diameter - 0.1);
+    body.effect_diameter = 1.1 * body.diameter;
+  }
+  if (touching_pairs(scene.particles) == 0) throw std::runtime_error("nobody touches");
+}
+
 int drive(int argc, char** argv) {
   if (argc < 6) {
-    std::fputs("device_driver PRECISION PATH SCENE LAYERS STEPS [full] [ledger] [canonical]\n", stderr);
+    std::fputs("device_driver PRECISION PATH SCENE LAYERS STEPS [full] [ledger] [canonical] [pressed]\n",
+               stderr);
     return 2;
   }
   const auto asked = [&](const char* word) {
@@ -33,6 +56,7 @@ int drive(int argc, char** argv) {
   };
   OpenClEngine engine(options_from(argv[1], argv[2], asked("full")));
   Scene scene = any_scene(argv[3], std::stoi(argv[4]));
+  if (asked("pressed")) press(scene);
   if (asked("canonical")) scene.run.order = SumOrder::canonical;
   const auto run = engine.start(scene, {.times = {}, .ledger = asked("ledger")});
   run->advance(std::stol(argv[5]));

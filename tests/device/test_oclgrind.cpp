@@ -58,11 +58,11 @@ class Oclgrind : public WithOclgrind<::testing::TestWithParam<std::string>> {};
 class OclgrindOnce : public WithOclgrind<::testing::Test> {};
 
 TEST_P(Oclgrind, FindsNothingInTheZonedPath) {
-  expect_clean(run_driver(checker, "single zoned " + GetParam() + " 12 12"));
+  expect_clean(run_driver(checker, "single zoned " + GetParam() + " 12 12 pressed"));
 }
 
 TEST_P(Oclgrind, FindsNothingInTheSmallPath) {
-  expect_clean(run_driver(checker, "double small " + GetParam() + " 2 12"));
+  expect_clean(run_driver(checker, "double small " + GetParam() + " 4 12 pressed"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Oclgrind, ::testing::ValuesIn(varied_scene_names()),
@@ -82,40 +82,40 @@ TEST_F(OclgrindOnce, FindsNothingWhereSpringsGoFromListToList) {
 TEST_F(OclgrindOnce, FindsNothingInTheDensePath) {
   for (const char* scene : {"boxed", "damped_friction", "fixed", "tilted_plane", "turning_liggghts"})
     for (const char* precision : {"single", "double"})
-      expect_clean(run_driver(checker, precision + std::string(" dense ") + scene + " 16 20"));
+      expect_clean(run_driver(checker, precision + std::string(" dense ") + scene + " 16 20 pressed"));
 }
 
 TEST_F(OclgrindOnce, FindsNothingInTheDensePathByOne) {
   for (const char* scene : {"boxed", "fixed", "turning_liggghts"})
-    expect_clean(run_driver(checker, std::string("single dense_by_one ") + scene + " 16 20"));
+    expect_clean(run_driver(checker, std::string("single dense_by_one ") + scene + " 16 20 pressed"));
 }
 
 TEST_F(OclgrindOnce, FindsNothingInTheDensePathOfContactsThatBeginOrEnd) {
   for (const char* how : {"single dense onset", "double dense onset_turning",
                           "single dense predicted_turning", "single dense_by_one predicted_turning"})
-    expect_clean(run_driver(checker, std::string(how) + " 16 20"));
+    expect_clean(run_driver(checker, std::string(how) + " 16 20 pressed"));
 }
 
 TEST_F(OclgrindOnce, FindsNothingInTheDensePathInCanonicalOrder) {
   for (const char* precision : {"single", "double"})
-    expect_clean(run_driver(checker, precision + std::string(" dense turning_liggghts 16 12 canonical")));
+    expect_clean(run_driver(checker, precision + std::string(" dense turning_liggghts 16 12 canonical pressed")));
 }
 
 TEST_F(OclgrindOnce, FindsNothingWhereALedgerIsKept) {
   for (const char* scene : {"leapfrog_verlet", "turning_liggghts", "drum", "onset_turning"})
-    expect_clean(run_driver(checker, std::string("double zoned ") + scene + " 8 8 ledger"));
+    expect_clean(run_driver(checker, std::string("double zoned ") + scene + " 8 8 ledger pressed"));
 }
 
 TEST_F(OclgrindOnce, FindsNothingInScenesOfTheSmallPathAlone) {
   for (const std::string& scene : rare_scene_names(true))
-    expect_clean(run_driver(checker, "double small " + scene + " 2 12"));
+    expect_clean(run_driver(checker, "double small " + scene + " 3 12 pressed"));
 }
 
 class OclgrindRarely : public WithOclgrind<::testing::TestWithParam<std::string>> {};
 
 TEST_P(OclgrindRarely, FindsNothingOnEitherPath) {
   for (const char* how : {"single zoned ", "double small "})
-    expect_clean(run_driver(checker, how + GetParam() + " 4 12"));
+    expect_clean(run_driver(checker, how + GetParam() + " 4 12 pressed"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, OclgrindRarely, ::testing::ValuesIn(rare_scene_names()),
@@ -169,7 +169,7 @@ TEST(OclgrindRuns, HaveEveryKernelFileAmongThem) {
 
 TEST_F(OclgrindOnce, FindsNothingInABuildOfEveryStage) {
   for (const char* precision : {"single ", "mixed ", "double "})
-    expect_clean(run_driver(checker, precision + std::string("zoned damped_friction 20 6 full")));
+    expect_clean(run_driver(checker, precision + std::string("zoned damped_friction 20 6 full pressed")));
 }
 
 }  // namespace

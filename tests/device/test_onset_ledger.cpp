@@ -86,6 +86,7 @@ constexpr Integrator corrects = Integrator::onset_corrected;
 INSTANTIATE_TEST_SUITE_P(
     Scenes, OnsetLedgerOf,
     ::testing::Values(Way{"velocity_verlet", Path::small, corrects}, Way{"drum", Path::small, corrects},
+                      Way{"paddle", Path::small, corrects},
                       Way{"turning_in_rectangles", Path::zoned, corrects},
                       Way{"hertz_and_springs", Path::zoned, corrects},
                       Way{"rolling_steadily", Path::small, corrects},

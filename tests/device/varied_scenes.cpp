@@ -12,7 +12,7 @@
 namespace grainproof::opencl::testing {
 namespace {
 
-constexpr double spacing = 0.14;
+constexpr double spacing = lattice_spacing;
 constexpr int across = 3;
 
 /// The uniform distribution of the standard library differs between libraries; this one does not.

@@ -16,4 +16,7 @@ Scene varied_scene(const std::string& name, int layers = 4);
 
 inline constexpr int varied_steps = 300;
 
+/// Between the sites of the spheres, m.
+inline constexpr double lattice_spacing = 0.14;
+
 }  // namespace grainproof::opencl::testing
