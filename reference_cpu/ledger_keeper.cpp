@@ -19,6 +19,11 @@ double kinetic_energy(const Bodies& bodies, const Motion& motion) {
 
 }  // namespace
 
+void LedgerKeeper::begin() {
+  sums_.taken_by_friction.add(log_.tangential);
+  sums_.taken_by_rolling.add(log_.wound);
+}
+
 void LedgerKeeper::before_kick(const Bodies& bodies) {
   before_ = motion_after(bodies, 0.0);
 }

@@ -22,6 +22,8 @@ class LedgerKeeper {
   /// To be filled by whoever evaluates the forces.
   ForceLog& log() { return log_; }
 
+  /// After the forces of the start: springs that it stretches are there, nobody has done work on them.
+  void begin();
   void before_kick(const Bodies& bodies);
   void after_kick(const Bodies& bodies, double duration);
 

@@ -51,6 +51,7 @@ ReferenceRun::ReferenceRun(const Scene& scene, bool with_ledger, const Beginning
   if (bodies_.orientation.size() == beginning.orientation.size()) bodies_.orientation = beginning.orientation;
   find_neighbours();
   evaluate_forces(0.0, time());
+  if (ledger_) ledger_->begin();
 }
 
 void ReferenceRun::advance(std::int64_t steps) {

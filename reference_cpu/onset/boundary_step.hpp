@@ -12,6 +12,10 @@ struct BoundaryStep {
   double step;    ///< s
   bool started;   ///< false for the evaluation before the first step, in which nothing begins or ends
   bool corrects;  ///< for the time that contacts lasted
+
+  /// In which a contact itself changes the velocities that its dashpots are told: before the first step those
+  /// are known.
+  double foresight() const { return started ? step : 0.0; }
 };
 
 /// As add_contact_forces(). Springs are stretched by what the half-step velocities have moved, as plain

@@ -88,7 +88,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     const double separating = point.relative_velocity.dot(point.normal);
     if (laws.normal.no_tension && now_.started) [[unlikely]]
       let_go(laws, meet, point);
-    const double refined = eta * refined_share(stiffness, eta, inverse_mass(meet), now_.step);
+    const double refined = eta * refined_share(stiffness, eta, inverse_mass(meet), now_.foresight());
     ContactForce force{laws.normal.force(point.overlap, separating, refined), Vec3::Zero()};
     if (laws.friction.coefficient != 0.0)
       force.friction = laws.friction.force(point.relative_velocity - separating * point.normal, force.normal,
@@ -194,12 +194,12 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   }
 
   void refine(double stiffness, double inverse_mass, ContactResponse& now) const {
-    now.damping *= refined_share(stiffness, now.damping, inverse_mass, now_.step);
+    now.damping *= refined_share(stiffness, now.damping, inverse_mass, now_.foresight());
   }
 
   void refine_shear(const Encounter& meet, const TorqueArms& arms, ContactResponse& now) const {
-    now.shear.damping *=
-        refined_share(now.shear.stiffness, now.shear.damping, inverse_sliding_mass(meet, arms), now_.step);
+    now.shear.damping *= refined_share(now.shear.stiffness, now.shear.damping,
+                                       inverse_sliding_mass(meet, arms), now_.foresight());
   }
 
   Vec3 moved_in(const Encounter& meet, const TorqueArms& arms) const {
