@@ -121,10 +121,8 @@ INLINE bool runs_wild(Dense d, Bodies b) {
   return any_of((calm ? (reals)(0) : (reals)(1)) > 0);
 }
 
-kernel void dense_step(DENSE_PARAMETERS, global real4* moved, global int* signals, const int step) {
-  const Dense d = DENSE_THAT(true);
-  if (halts(signals, step, get_global_id(0))) return;
-  Bodies b = load_bodies(d, get_global_id(0));
+INLINE void take_step(Dense d, int item, global real4* moved, global int* signals, int step) {
+  Bodies b = load_bodies(d, item);
   const Push p = sum_up(d, b, step, signals);
   const real kick = step > 0 ? d.box->time.x : d.box->time.y;
   const Vectors acceleration = acceleration_of(d, b, p);
@@ -142,6 +140,16 @@ kernel void dense_step(DENSE_PARAMETERS, global real4* moved, global int* signal
   store_bodies(moved, b);
   if (runs_wild(d, b)) atomic_min(signals_after(signals, step) + ESCAPED_AT, step + 1);
   watch(d, b, step, signals);
+}
+
+// A stretch is that many of `items`, what one has of a group. claims, whose: dense_shares.cl
+kernel void dense_step(DENSE_PARAMETERS, global real4* moved, global int* signals, global int* claims,
+                       global int* whose, const int shares, const int stretch, const int items, const int step) {
+  if (halts(signals, step, get_global_id(0))) return;
+  const Dense d = DENSE_THAT(true);
+  open_claims_of_next(claims, step, shares);
+  const int first = claimed_stretch(claims, whose, step, shares) * stretch;
+  for (int item = first; item < min(first + stretch, items); ++item) take_step(d, item, moved, signals, step);
 }
 
 // What is seen at boundary `step`: nothing moves, velocities are those of the boundary itself.

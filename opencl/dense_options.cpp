@@ -137,8 +137,9 @@ std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
     add({"dense_flow.cl", "dense_onset.cl"});
   else
     add({"dense_onset_none.cl"});
-  add({"dense_springs.cl", "dense_pairs.cl", "dense_walls.cl", "dense_step.cl", "dense_order.cl",
-       "dense_near.cl", "dense_pack.cl"});
+  add({"dense_springs.cl", "dense_pairs.cl", "dense_walls.cl",
+       o.one ? "dense_shares_none.cl" : "dense_shares.cl", "dense_step.cl", "dense_order.cl", "dense_near.cl",
+       "dense_pack.cl"});
   if (o.one)
     add({"dense_list_each.cl"});
   else

@@ -20,8 +20,24 @@ Range items_for(std::size_t particles, const DenseOptions& options) {
   return {particles / static_cast<std::size_t>(lanes_of(options)), options.one ? 128u : 8u};
 }
 
+/// Stretches of a step on a CPU: so few that the cores' runtime hands them out at no cost, so many that a
+/// core that is done early finds one of another's. kernels/dense_shares.cl
+StepShares shares_of(Range items, const DenseOptions& options, const Workshop& workshop) {
+  if (options.one) return {items, 1, 1};
+  const std::size_t cores = workshop.compute_units(), most = 64 * cores;
+  const std::size_t stretch = std::max<std::size_t>((items.items + most - 1) / most, 8);
+  return {
+      {(items.items + stretch - 1) / stretch, 1}, static_cast<cl_int>(cores), static_cast<cl_int>(stretch)};
+}
+
 cl_int earliest(const DenseSignals& signals, Signal signal) {
   return std::min(signals.of[0][signal], signals.of[1][signal]);
+}
+
+/// As kernels/dense_shares.cl lays them out.
+Bytes no_claims(cl_int shares) {
+  constexpr std::size_t line = 16;
+  return Bytes(sizeof(cl_int) * 2 * line * static_cast<std::size_t>(shares));
 }
 
 DenseWorld make_dense_world(Workshop& workshop, const DenseImage& image, const DenseOptions& options) {
@@ -53,9 +69,12 @@ DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const
       image_(make_dense_image(scene, options_, grid_, window_size)),
       program_(&workshop_->program(options_)),
       items_(items_for(image_.padded, options)),
+      shares_(shares_of(items_, options, *workshop_)),
       world_(make_dense_world(*workshop_, image_, options_)),
       list_(*workshop_, world_, image_, options_, grid_, 64),
-      signals_(workshop_->room(sizeof(DenseSignals))) {
+      signals_(workshop_->room(sizeof(DenseSignals))),
+      claims_(workshop_->upload(no_claims(shares_.count))),
+      whose_(workshop_->upload(Bytes(sizeof(cl_int) * static_cast<std::size_t>(shares_.count)))) {
   image_.records = image_.kept = image_.built_at = {};
   if (searches) search_.emplace(2.0 * grid_.largest_radius, skin);
 }
@@ -114,6 +133,7 @@ void DenseRun::reset_signals(std::int64_t rows_taken) {
   signals.rows_taken = static_cast<cl_int>(rows_taken);
   signals.row_room = static_cast<cl_int>(list_.row_room());
   workshop_->write(signals_, std::as_bytes(std::span(&signals, 1)));
+  workshop_->write(claims_, no_claims(shares_.count));
 }
 
 void DenseRun::build_list(std::int64_t at, std::int64_t rows_taken) {
@@ -159,10 +179,11 @@ void DenseRun::try_another_skin() {
 void DenseRun::enqueue(std::int64_t first, std::int64_t last) {
   for (std::int64_t n = first; n < last; ++n) {
     const auto at = static_cast<std::size_t>(n & 1);
-    workshop_->launch(*program_, "dense_step", items_, world_.box, world_.laws, world_.planes,
+    workshop_->launch(*program_, "dense_step", shares_.stretches, world_.box, world_.laws, world_.planes,
                       world_.records[at], world_.kept, world_.built_at, world_.cells, world_.heads,
                       world_.list, world_.springs, world_.springs, world_.marks, world_.marks,
-                      world_.records[1 - at], signals_, static_cast<cl_int>(n));
+                      world_.records[1 - at], signals_, claims_, whose_, shares_.count, shares_.stretch,
+                      static_cast<cl_int>(items_.items), static_cast<cl_int>(n));
   }
 }
 

@@ -18,6 +18,12 @@ struct DenseSignals {
   cl_int rows_taken = 0, row_room = 0;
 };
 
+/// How a step is dealt out: `stretches` of as many items as one has, in as many shares as there are cores.
+struct StepShares {
+  Range stretches;
+  cl_int count, stretch;
+};
+
 /// The list, read back.
 struct DenseLists {
   std::vector<cl_int4> heads;  ///< of a group: first slot, slots, walls near, slots of walls
@@ -82,9 +88,11 @@ class DenseRun : public RestorableRun {
   DenseImage image_;
   Program* program_;
   Range items_;
+  StepShares shares_;
   DenseWorld world_;
   DenseList list_;
   cl::Buffer signals_;
+  cl::Buffer claims_, whose_;  ///< kernels/dense_shares.cl
   std::optional<SkinSearch> search_;
   Counters counters_;
   std::int64_t first_step_ = 0;  ///< that the device's step 0 is

@@ -41,6 +41,7 @@ Workshop::Workshop(const std::string& device_choice, std::filesystem::path kerne
             device_.getInfo<CL_DEVICE_VERSION>().find("pocl") != std::string::npos;
     correctly_rounded_ =
         (device_.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+    compute_units_ = device_.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
     largest_group_ = device_.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
     largest_buffer_ = device_.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     context_ = cl::Context(device_);

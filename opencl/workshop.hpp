@@ -46,6 +46,7 @@ class Workshop {
   bool has_double_precision() const { return has_double_; }
   bool is_gpu() const { return gpu_; }
   std::size_t largest_group() const { return largest_group_; }
+  std::size_t compute_units() const { return compute_units_; }
   std::size_t largest_buffer() const { return largest_buffer_; }
 
   cl::Buffer upload(const Bytes& bytes);
@@ -92,6 +93,7 @@ class Workshop {
   bool gpu_ = false;
   bool correctly_rounded_ = false;
   std::size_t largest_group_ = 1;
+  std::size_t compute_units_ = 1;
   std::size_t largest_buffer_ = 0;
   cl::Context context_;
   cl::CommandQueue queue_;
