@@ -13,8 +13,7 @@ INLINE int own_share(global int* whose, int shares) {
   int somewhere;
   const int core = (int)((size_t)&somewhere >> 16) | 1;
   for (int share = 0; share < shares; ++share) {
-    int owner = whose[share];
-    if (owner == 0) owner = atomic_cmpxchg(whose + share, 0, core);
+    const int owner = atomic_cmpxchg(whose + share, 0, core);
     if (owner == 0 || owner == core) return share;
   }
   return 0;
