@@ -139,6 +139,8 @@ inline constexpr std::array kernel_faults{
                 "(real)0", "history_pair", opencl::Precision::double_precision, opencl::Path::dense, 1e-4, 1},
     KernelFault{"DenseGravityLeftOut", "dense_step.cl", "vectors(g.x, g.y, g.z)", "vectors(0, 0, 0)",
                 "free_fall", opencl::Precision::double_precision, opencl::Path::dense},
+    KernelFault{"DenseStretchPassedOver", "dense_shares.cl", "first + atomic_inc(", "first + 1 + atomic_inc(",
+                "free_fall", opencl::Precision::double_precision, opencl::Path::dense},
     KernelFault{"DenseRemainderDropped", "wide_single_16.cl",
                 "store_reals(part, left - convert_float16(more))", "store_reals(part, 0)", "slow_drift",
                 opencl::Precision::single_precision, opencl::Path::dense},
