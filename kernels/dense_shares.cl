@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A core's share of a step. A runtime hands work-items to cores as they come, and a core that is given what another
-// one had in the step before must fetch all of it from there, a fifth of a bed's time on two cores. So a work-item has
+// one had in the step before must fetch all of it from there, about a sixth of a bed's time on two cores. So a work-item has
 // no bodies of its own: it claims a stretch of them, from the share of its core while something is left in it, and
 // then from others'. A core is known by where its stack lies. That is a hint: any answer leads to the same bits.
 //
