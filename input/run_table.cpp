@@ -87,7 +87,8 @@ void read_run(const Table& table, SetUp& set_up) {
   set_up.beyond_stability = table.boolean("beyond_stability", false);
   if (const auto speed = table.find("impact_speed")) set_up.impact_speed = speed->positive();
   if (const auto order = table.find("order")) run.order = order->choice(orders);
-  if (const auto integrator = table.find("integrator")) run.integrator = read_integrator(*integrator);
+  const auto integrator = table.find("integrator");
+  run.integrator = integrator ? read_integrator(*integrator) : usual_integrator;
   if (const auto search = table.find("neighbours")) run.neighbours = search->choice(searches);
   if (const auto skin = table.find("skin")) run.skin = read_skin(*skin);
   if (const auto limit = table.find("overlap_limit")) run.overlap_limit = read_overlap_limit(*limit);

@@ -32,6 +32,9 @@ inline constexpr std::array<std::pair<std::string_view, Integrator>, 8> integrat
     {"pefrl", Integrator::pefrl},
 }};
 
+/// Of a scene file that names none: the least time to a given error (docs/integrators.md).
+inline constexpr Integrator usual_integrator = Integrator::onset_corrected;
+
 constexpr std::string_view name_of(Integrator integrator) {
   for (const auto& [name, value] : integrator_names)
     if (value == integrator) return name;

@@ -61,7 +61,7 @@ DenseWorld make_dense_world(Workshop& workshop, const DenseImage& image, const D
 }  // namespace
 
 DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const DenseOptions& options,
-                   double skin, bool searches)
+                   double skin, std::optional<double> searched_from)
     : workshop_(std::move(workshop)),
       scene_(scene),
       options_(options),
@@ -76,7 +76,7 @@ DenseRun::DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const
       claims_(workshop_->upload(no_claims(shares_.count))),
       whose_(workshop_->upload(Bytes(sizeof(cl_int) * static_cast<std::size_t>(shares_.count)))) {
   image_.records = image_.kept = image_.built_at = {};
-  if (searches) search_.emplace(2.0 * grid_.largest_radius, skin);
+  if (searched_from) search_.emplace(2.0 * grid_.largest_radius, skin, *searched_from);
 }
 
 void DenseRun::advance(std::int64_t steps) {

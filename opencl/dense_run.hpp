@@ -38,9 +38,9 @@ struct DenseLists {
 /// the list has gone stale, and the host goes on from there with a new one.
 class DenseRun : public RestorableRun {
  public:
-  /// `searches`: the skin is but the first, for others to be tried.
+  /// With `searched_from` the skin is but the first, for others from there on to be tried.
   DenseRun(std::shared_ptr<Workshop> workshop, const Scene& scene, const DenseOptions& options, double skin,
-           bool searches);
+           std::optional<double> searched_from);
 
   void advance(std::int64_t steps) override;
   void synchronise() override;

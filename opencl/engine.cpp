@@ -87,9 +87,8 @@ std::unique_ptr<RestorableRun> OpenClEngine::begin(const Scene& scene, const Req
   const double skin = skin_for_endings(scene, wanted);
   const bool one = takes_one(options_.width, workshop_->is_gpu());
   if (!small && takes_dense_path(options_.path, scene, request, skin, one))
-    // A search would go below what endings need.
     return std::make_unique<DenseRun>(workshop_, scene, dense_options(scene, options_.precision, one), skin,
-                                      searched && scene.run.integrator != Integrator::onset_corrected);
+                                      searched ? std::optional(skin_for_endings(scene, 0.0)) : std::nullopt);
   BuildOptions build = build_options(scene, request, options_.precision, small);
   if (options_.stages == Stages::full) build = with_every_stage(build);
   if (small) return std::make_unique<SmallRun>(workshop_, scene, build);

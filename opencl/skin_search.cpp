@@ -42,7 +42,7 @@ bool SkinSearch::learn(double entries, std::int64_t steps) {
   const auto work = [&](double skin) { return entries_at(skin) + list_entries / (steps_a_metre * skin); };
   double best = skin_;
   for (int k = 0; k < candidates; ++k) {
-    const double skin = widest * diameter_ * std::pow(finer, k);
+    const double skin = std::max(least_, widest * diameter_ * std::pow(finer, k));
     if (work(skin) < work(best)) best = skin;
   }
   if (work(best) > worthwhile * work(skin_)) return false;

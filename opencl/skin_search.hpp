@@ -18,7 +18,9 @@ class SkinSearch {
   static constexpr double widest = 0.3;
 
   SkinSearch() = default;
-  SkinSearch(double diameter, double first) : diameter_(diameter), skin_(first) {}
+  /// Never below `least`: some integrators need a part of it.
+  SkinSearch(double diameter, double first, double least = 0.0)
+      : diameter_(diameter), least_(least), skin_(first) {}
 
   double skin() const { return skin_; }
 
@@ -32,7 +34,7 @@ class SkinSearch {
  private:
   double entries_at(double skin) const;
 
-  double diameter_ = 0.0, skin_ = 0.0;
+  double diameter_ = 0.0, least_ = 0.0, skin_ = 0.0;
   double entries_ = 0.0;
   double other_skin_ = -1.0, other_entries_ = 0.0;  ///< of the last list of another skin
   std::int64_t lists_ = 0;

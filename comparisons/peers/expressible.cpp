@@ -15,7 +15,8 @@ Support integrator_support(Integrator integrator, const std::string& program) {
   const bool same = integrator == Integrator::velocity_verlet || integrator == Integrator::leapfrog_verlet;
   return same ? Support{}
               : Support::no(program + " integrates by velocity Verlet, not " +
-                            std::string(name_of(integrator)));
+                            std::string(name_of(integrator)) +
+                            "; a scene that says integrator = \"velocity_verlet\" can be compared");
 }
 
 Support gravity_support(const Gravity& gravity, const std::string& program) {

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <random>
 
 #include "benchmarks/common/long_verdicts.hpp"
 #include "comparisons/peers/process.hpp"
@@ -83,6 +85,36 @@ TEST(LongVerdicts, TellTheStepAtWhichTheSourcesSchemeLosesAnUndampedPair) {
   EXPECT_TRUE(long_verdict(plan, history, "end", u).held);
   history.failed.clear();
   EXPECT_FALSE(long_verdict(plan, history, "end", u).held) << "it must be lost";
+}
+
+/// Overlaps of 125 windows about 1, each 0.8 of what the one before was off by, and `shift` more in the second half.
+LongHistory remembering_bed(std::uint64_t seed, double shift) {
+  constexpr double kept = 0.8, scatter = 0.05;
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> chance(0.0, scatter * std::sqrt(1.0 - kept * kept));
+  LongHistory history;
+  double off = 0.0;
+  for (std::int64_t i = 0; i < 125; ++i) {
+    off = kept * off + chance(random);
+    Window window{i, {}, {}};
+    at(window.mean, Look::overlap) = 1.0 + off + (i > 75 ? shift : 0.0);
+    history.windows.push_back(window);
+  }
+  return history;
+}
+
+int found_alike(double shift) {
+  LongPlan plan = short_plan();
+  plan.name = "vibrated";
+  int alike = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+    alike += long_verdict(plan, remembering_bed(seed, shift), "overlap", u).held;
+  return alike;
+}
+
+TEST(LongVerdicts, TellABedThatRemembersFromOneThatDrifts) {
+  EXPECT_GE(found_alike(0.0), 198);
+  EXPECT_LE(found_alike(0.3), 2);
 }
 
 }  // namespace

@@ -55,6 +55,18 @@ TEST(DenseSkin, OfASearchGivesTheBitsOfAnyOtherInCanonicalOrder) {
   EXPECT_EQ(searching.digest, given.digest);
 }
 
+// A contact that ends is heard of only while its pair is listed.
+TEST(DenseSkin, OfASearchIsNotBelowWhatOnsetsNeed) {
+  Scene scene = slow_gas(SumOrder::canonical);
+  for (Particle& p : scene.particles) p.velocity *= 0.1;  // so slow that a search would go further down
+  EXPECT_LT(seen(scene, searched, 600, 600).counters.skin, 0.09 * diameter);
+  scene.run.integrator = Integrator::onset_corrected;
+  const Seen searching = seen(scene, searched, 600, 600), given = seen(scene, 0.2 * diameter, 600, 600);
+  EXPECT_GE(searching.counters.skin, 0.1 * diameter);
+  EXPECT_LT(searching.counters.skin, 0.2 * diameter);
+  EXPECT_EQ(searching.digest, given.digest);
+}
+
 TEST(DenseMemory, IsAddedUp) {
   const Seen bed = seen(crowded_scene({.across = 20}), 0.1 * diameter, 10, 10);
   const double bytes = static_cast<double>(bed.counters.device_bytes) / 4000.0;

@@ -14,7 +14,7 @@ TEST(StepByError, IsResolvedFromTheScenesLawsAndIntegrator) {
   const ResolvedScene& one = read.scenes.front();
   EXPECT_EQ(one.point.step, "error/0.002");
   EXPECT_EQ(one.scene.run.step, analytic::step_for_error(one.scene, 2e-3).step);
-  EXPECT_NE(one.point.step_because.find("velocity_verlet"), std::string::npos) << one.point.step_because;
+  EXPECT_NE(one.point.step_because.find("onset_corrected"), std::string::npos) << one.point.step_because;
 }
 
 TEST(StepByError, HasNoReasonWhereTheSceneSaysTheStep) {
