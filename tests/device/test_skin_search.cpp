@@ -59,6 +59,14 @@ TEST(SkinSearch, AsksSeldomer) {
   EXPECT_FALSE(search.learn(8.0, 1000000));
 }
 
+TEST(SkinSearch, StaysAboveWhatIsNeeded) {
+  SkinSearch free(diameter, 0.2 * diameter), bound(diameter, 0.2 * diameter, 0.1 * diameter);
+  EXPECT_TRUE(free.learn(20.0, 1000000));
+  EXPECT_LT(free.skin(), 0.05 * diameter);
+  EXPECT_TRUE(bound.learn(20.0, 1000000));
+  EXPECT_EQ(bound.skin(), 0.1 * diameter);
+}
+
 TEST(SkinSearch, LearnsFromListsThatHoldAtFixedAges) {
   EXPECT_EQ(SkinSearch::next_trial(0), 256);
   EXPECT_EQ(SkinSearch::next_trial(255), 256);
