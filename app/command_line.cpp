@@ -21,7 +21,8 @@ namespace {
 using Command = std::function<int(Terminal&)>;
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 all held, 1 a verdict failed, 2 the input was refused, 3 a run went wrong.\n"
+    "Exit codes: 0 all held, 1 a verdict failed, 2 the input was refused or nothing was judged,\n"
+    "3 a run went wrong.\n"
     "Results go to standard output, progress to standard error.";
 
 constexpr const char* sweep_help = "Which scene of a sweep, from 1 (default: the first)";

@@ -17,6 +17,7 @@
 #include "app/scene_choice.hpp"
 #include "comparisons/judge.hpp"
 #include "model/errors.hpp"
+#include "report/claims.hpp"
 #include "report/files.hpp"
 #include "report/html.hpp"
 #include "report/results_json.hpp"
@@ -164,6 +165,18 @@ void write_results(const VerifyOptions& options, const std::vector<report::CaseR
   report::write_file(options.out / "report.html", report::html(cases, machine));
 }
 
+/// Whoever reads the exit code alone would take a run without a verdict for one in which all held.
+int code_for(const std::vector<Row>& rows) {
+  const Verdict worst = report::worst(rows);
+  if (worst == Verdict::fail) return verdict_failed;
+  if (worst == Verdict::pass) return all_held;
+  throw InputRefused(
+      std::string("nothing was judged: found ") +
+      (rows.empty() ? "no claim that an engine asked for is held to"
+                    : "only what is not supported, as said above") +
+      "; expected other cases (grainproof verify --list) or other engines (grainproof doctor)");
+}
+
 }  // namespace
 
 int verify(const VerifyOptions& options, Terminal& terminal) {
@@ -193,9 +206,7 @@ int verify(const VerifyOptions& options, Terminal& terminal) {
   terminal.out << report::failures_text(all, terminal.paint())
                << report::summary_text(all, wall_s, terminal.paint());
   write_results(options, reports, all);
-  const bool failed =
-      std::any_of(all.begin(), all.end(), [](const Row& row) { return row.verdict == Verdict::fail; });
-  return failed ? verdict_failed : all_held;
+  return code_for(all);
 }
 
 }  // namespace grainproof::app

@@ -5,6 +5,4 @@ INLINE void take_kick(World w, int i, Motion* m) {}
 INLINE void take_spin_kick(World w, int i, Motion* m) {}
 INLINE void take_shift(World w, int i) {}
 INLINE void drop_corrections(World w, int i) {}
-INLINE void book_wall_events(World w, int slot, Account account, real3 arm) {}
-INLINE void book_events(World w, int i, Account account) {}
 INLINE Position position_at_boundary(World w, int i) { return w.positions[i]; }

@@ -180,6 +180,7 @@ std::vector<std::string> law_files(const BuildOptions& o) {
                                  "turnover.cl"};
   for (const auto& part : {memory_files(o), contact_files(o)})
     files.insert(files.end(), part.begin(), part.end());
+  if (!o.corrects() || !o.ledger) files.push_back("events_none.cl");
   return files;
 }
 

@@ -70,6 +70,28 @@ TEST(VerifyCommand, RefusesWhenNoEngineIsThere) {
   EXPECT_NE(ended.err.find("doctor"), std::string::npos) << ended.err;
 }
 
+TEST(VerifyCommand, DoesNotExitWithZeroWhereNothingWasJudged) {
+  const Scratch scratch;
+  const std::string file = settling_with(scratch, "[run]", "[verify]\nno_peers = \"ours alone\"\n\n[run]");
+  const std::string json = scratch.path("r.json").string();
+  const Ended none = run_program("verify --engines lammps --json " + json + " " + file);
+  EXPECT_EQ(none.code, 2) << none.out << none.err;
+  EXPECT_NE(none.out.find("ours alone"), std::string::npos) << none.out;
+  EXPECT_NE(none.err.find("nothing was judged"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find("verify --list"), std::string::npos) << none.err;
+  EXPECT_EQ(json_of(json)["results"].at(0)["verdict"], "unsupported");
+  const Ended one = run_program("verify --engines lammps,reference " + file);
+  EXPECT_EQ(one.code, 0) << one.out << one.err;
+}
+
+TEST(VerifyCommand, DoesNotExitWithZeroWhereNoClaimIsAboutAnEngineAskedFor) {
+  const Scratch scratch;
+  const std::string file = settling_with(scratch, "below = 1e-12", "below = 1e-12\nengines = [\"lammps\"]");
+  const Ended ended = run_program("verify --engines reference " + file);
+  EXPECT_EQ(ended.code, 2) << ended.out << ended.err;
+  EXPECT_NE(ended.err.find("no claim that an engine asked for is held to"), std::string::npos) << ended.err;
+}
+
 TEST(VerifyCommand, WritesResultsAsTheSchemaSays) {
   const Scratch scratch;
   const std::string json = scratch.path("r.json").string();

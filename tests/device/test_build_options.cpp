@@ -107,7 +107,9 @@ TEST(BuildOptions, CorrectionsAreBookedWhereALedgerIsKept) {
   ledger.ledger = true;
   const auto with = files_of(options_of(scene, ledger)), without = files_of(options_of(scene));
   EXPECT_TRUE(has(with, "onset_booked.cl") && has(with, "ledger_kept.cl"));
+  EXPECT_FALSE(has(with, "events_none.cl"));
   EXPECT_TRUE(has(without, "onset_unbooked.cl") && has(without, "ledger_none.cl"));
+  EXPECT_TRUE(has(without, "events_none.cl"));
 }
 
 TEST(BuildOptions, PeriodicityAndMaterialsAreDefinitions) {
