@@ -43,7 +43,8 @@ class Expansion {
     for (const Node& scale : sweep_.scales) {
       scale_ = scale.number();
       set_up_ = as_written;
-      rescale(set_up_, scale_);
+      if (!rescale(set_up_, scale_))
+        scale.refuse("a scale at which each mass, length, time and stiffness can be written as a number");
       contact_ = shortest_contact_of(set_up_);
       values_["scale"] = scale.label();
       over_offsets();

@@ -19,7 +19,8 @@ double dither(int sample);
 
 /// The same materials and speeds at `scale` times the size: lengths and times with it, masses with its cube,
 /// stiffnesses as they must for the same motion. Gravity and spins are the larger, the smaller it is.
-void rescale(SetUp& set_up, double scale);
+/// False where a mass, a length or another number then has none of its own.
+[[nodiscard]] bool rescale(SetUp& set_up, double scale);
 
 /// A vector in metres, or of the scene's largest diameters.
 Vec3 offset_of(const Node& node, const Scene& scene);

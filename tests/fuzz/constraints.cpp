@@ -26,7 +26,9 @@ std::string broken_run(const RunSettings& run) {
   if (!positive(run.step)) return "run.step above 0";
   if (!(run.end / run.step <= 1e15)) return "up to 1e15 steps";
   if (!(run.overlap_limit > 0.0 && run.overlap_limit < 2.0)) return "overlap_limit above 0 and below 2";
-  if (!(run.skin == -1.0 || (std::isfinite(run.skin) && run.skin >= 0.0))) return "skin not negative";
+  if (!(run.skin == -1.0 || run.skin == RunSettings::searched_skin ||
+        (std::isfinite(run.skin) && run.skin >= 0.0)))
+    return "skin not negative";
   return broken_record(run);
 }
 

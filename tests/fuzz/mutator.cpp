@@ -48,6 +48,14 @@ std::string joined(const std::vector<std::string>& parts) {
   return all;
 }
 
+/// Of the lines that begin so.
+std::vector<std::size_t> numbers_of(const std::vector<std::string>& lines, std::string_view beginning) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].starts_with(beginning)) numbers.push_back(i);
+  return numbers;
+}
+
 /// Names and texts, without repetition and in an order of their own.
 std::vector<std::string> words_of(const std::vector<std::string>& texts) {
   std::set<std::string> words;
@@ -103,7 +111,7 @@ std::string Mutator::next() {
 }
 
 std::string Mutator::mutated(const std::string& text) {
-  switch (below(16)) {
+  switch (below(19)) {
     case 0:
     case 1:
     case 2:
@@ -124,6 +132,11 @@ std::string Mutator::mutated(const std::string& text) {
     case 13:
     case 14:
       return with_tables_changed(text);
+    case 15:
+    case 16:
+      return with_a_key_added(text);
+    case 17:
+      return with_a_comment(text);
     default:
       return with_bytes_changed(text);
   }
@@ -203,6 +216,30 @@ std::string Mutator::with_tables_changed(const std::string& text) {
       tables.insert(at, std::string(*at));
   }
   return joined(tables);
+}
+
+/// Mostly into the table that it belongs to, in place of what is said of it there.
+std::string Mutator::with_a_key_added(const std::string& text) {
+  const auto& [table, line] = one_of(rare_keys);
+  std::vector<std::string> lines = split(text, "\n");
+  const auto headers = numbers_of(lines, below(4) == 0 ? "[" : table);
+  if (headers.empty()) return text + "\n" + std::string(table) + "\n" + std::string(line) + "\n";
+  const std::size_t header = one_of(headers);
+  const std::string_view key = line.substr(0, line.find('=') + 1);
+  for (std::size_t i = header + 1; i < lines.size() && !lines[i].starts_with('['); ++i)
+    if (lines[i].starts_with(key)) lines[i].clear();
+  lines[header] += std::string(line) + "\n";
+  return joined(lines);
+}
+
+/// Where a line ends or begins, between the elements of an array, or anywhere at all.
+std::string Mutator::with_a_comment(const std::string& text) {
+  constexpr std::string_view behind[] = {"\n", ",", "[", "", "\"", "="};
+  const std::string_view mark = one_of(behind);
+  const auto at = places(text, mark);
+  if (at.empty()) return text;
+  std::string changed = text;
+  return changed.insert(one_of(at) + below(2) * mark.size(), one_of(comments));
 }
 
 std::string Mutator::with_bytes_changed(const std::string& text) {

@@ -12,8 +12,8 @@ namespace grainproof::fuzz {
 std::vector<std::string> small_scenes(const std::string& folder);
 
 /// Makes scene files out of scene files: numbers at the edges of their ranges, names of other places, values
-/// of other types, lines and tables of other scenes, and now and then plain rubbish. The same seed gives the
-/// same files everywhere.
+/// of other types, lines and tables of other scenes, keys that few scenes have, comments, and now and then
+/// plain rubbish. The same seed gives the same files everywhere.
 class Mutator {
  public:
   Mutator(std::vector<std::string> seeds, std::uint64_t seed);
@@ -27,6 +27,8 @@ class Mutator {
   std::string with_another_word(const std::string& text);
   std::string with_lines_changed(const std::string& text);
   std::string with_tables_changed(const std::string& text);
+  std::string with_a_key_added(const std::string& text);
+  std::string with_a_comment(const std::string& text);
   std::string with_bytes_changed(const std::string& text);
 
   std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
