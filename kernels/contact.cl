@@ -9,9 +9,10 @@ INLINE Push press(World w, Load* load, ContactPoint c, PairLaw law) {
   real3 rubbing = friction_force(creeping(w, c, slip, law), pressing, law, c.root_mass);
   const real3 damped = refined_slip(w, c, slip, law.spring * rise.factor, spring_damping_of(law, c.root_mass, rise));
   const Turnover turnover = c.turnover.since >= 0 ? c.turnover : turnover_of(w, c, law, slip, &load->account);
-  const real3 moved = stretching_slip(w, c, slip) * c.duration;
+  const real3 stretching = stretching_slip(w, c, slip), moved = stretching * c.duration;
+  const Turn turn = turn_of(w, c, law, rise, turnover, slip, stretching);
   const real held_by = holding(w, pressing);
-  const Strain strain = {moved, damped, c.normal, held_by, c.overlap, c.root_mass, c.share, turnover};
+  const Strain strain = {moved, damped, c.normal, held_by, c.overlap, c.root_mass, c.share, turnover, turn};
   stretch_spring(&rubbing, c.memory, strain, law, rise, &load->account);
   const real3 torque = torque_of(rubbing, c.arm, c.normal);
   turn_body(&load->turning, torque);

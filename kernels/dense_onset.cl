@@ -132,6 +132,7 @@ INLINE void turn_over(Meeting* m, flags was, PairLaw law, Vectors* spring, real 
   *spring = chosen(turns, left_of(*spring, slip, (reals)(0), *m, law), *spring);
   m->stretching = chosen(turns, slip, m->stretching);
   m->duration = turns ? step * now / (now - b.force) : m->duration;
+  m->lasts = m->lasts & ~turns;
 }
 
 // Of contacts that begin, overlap and rate become those that the exact motion has come to.

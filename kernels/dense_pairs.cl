@@ -156,6 +156,7 @@ INLINE bool any_event(Meeting m, flags was, PairLaw law, real duration) {
 
 // Contacts act, those that begin or end for as long as they last.
 INLINE void press(Dense d, Push* total, Meeting m, flags was, bool event, PairLaw law, Vectors* spring, real duration) {
+  if (CORRECTED) m.lasts = duration > 0 ? m.touching & was : m.touching & ~m.touching;
   Onset o;
   if (event) o = onset_of(&m, was, law, spring, duration, d.box->zones.w);
   const bool turns = HISTORY && CORRECTED && duration > 0 && any_of(turning_over(m, was, law, duration));
@@ -169,7 +170,9 @@ INLINE Vectors flat_against(Vectors v, Vectors normal) { return plus_scaled(v, n
 // By the slip in the middle of the step, where spheres that roll round each other have another normal: `turn` is half a
 // step over their distance.
 INLINE void stretch_by_middles(Meeting* m, reals turn) {
-  const Vectors v = m->middle_velocity, normal = plus_scaled(m->normal, flat_against(v, m->normal), -turn);
+  const Vectors v = m->middle_velocity, around = flat_against(v, m->normal);
+  const Vectors normal = plus_scaled(m->normal, around, -turn);
+  if (CORRECTED) m->round = scaled(around, turn);
   const Vectors sliding = ROTATION ? less(v, outer(m->middle_sweep, normal)) : v;
   m->stretching = flat_against(flat_against(sliding, normal), m->normal);
 }
@@ -253,6 +256,7 @@ INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, Alik
     foresee(&m, mobility, law, alike, duration);
   }
   if (PREDICTED && HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
+  m.rolls = true;
   if (PREDICTED && HISTORY) stretch_by_middles(&m, d.box->time.y * (reach * inverse));
   const bool event = any_event(m, was, law, duration);
   if (event && !HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);

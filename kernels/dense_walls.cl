@@ -45,6 +45,7 @@ INLINE int meet_plane(Dense d, Push* total, Bodies b, Places p, const global Den
   m.middle_velocity = b.middle_velocity;
   m.middle_sweep = scaled(b.middle_spin, m.arm);
   m.duration = duration;
+  m.rolls = false;
   if (PREDICTED && HISTORY) stretch_by_middles(&m, (reals)(0));
   if (CORRECTED) {
     m.mobility = b.inverse_mass;

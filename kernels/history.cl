@@ -7,6 +7,7 @@ typedef struct {
   real3 moved, damped, normal;  // what stretches the spring, m, and what the dashpot takes, m/s
   real pressing, overlap, root_mass, share;
   Turnover turnover;
+  Turn turn;
 } Strain;
 
 INLINE global real4* memory_of_pair(World w, int slot) { return w.springs + slot * MEMORY_WORDS; }
@@ -27,6 +28,12 @@ INLINE real3 turned(real3 spring, real3 normal, PairLaw law) {
   if (law.history & TURN_PROJECTS) return flat;
   const real length = length_of(flat);
   return length > 0 ? flat * (length_of(spring) / length) : flat;
+}
+
+// Spheres that roll round each other take it with them.
+INLINE real3 carried(real3 spring, Strain s, PairLaw law) {
+  if (!s.turn.rolls) return turned(spring, s.normal, law);
+  return spring + product_of(spring, s.normal) * (s.turn.round - s.normal);
 }
 
 typedef struct {
@@ -50,6 +57,32 @@ INLINE Grip gripped(real3 spring, real3 damped, real stiffness, real limit, Pair
   return g;
 }
 
+// The limit on a force that has turned since the step's start: twice what cutting it back in either half of the step
+// leaves of it, less once what doing so at the end alone leaves.
+INLINE real3 cut_along(real3 before, real3 trial, real limit) {
+  const real3 straight = trial / length_of(trial), middle = (real)0.5 * (before + trial);
+  const real halfway = (real)0.5 * (length_of(before) + limit), reached = length_of(middle);
+  if (!(reached > halfway)) return limit * straight;
+  const real3 second = trial - middle * ((reached - halfway) / reached);
+  const real length = length_of(second);
+  if (!(length > 0)) return limit * straight;
+  const real3 way = second * (2 / length) - straight;
+  return way * (limit / length_of(way));
+}
+
+// As gripped(), for a spring that was `held` at the step's start and has since become `trial`.
+INLINE Grip gripped_along(real3 held, real3 trial, Strain s, real stiffness, real damping, real limit, PairLaw law) {
+  const bool alone = (law.history & LIMIT_ON_SPRING) != 0;
+  const real3 damped = damping * s.damped;
+  Grip g = {trial, stiffness * trial + damped};
+  const real3 limited = alone ? stiffness * trial : g.force;
+  if (!(length_of(limited) > limit)) return g;
+  const real3 before = alone ? stiffness * held : stiffness * held + damping * s.turn.earlier;
+  g.force = cut_along(before, limited, limit);
+  g.spring = (alone ? g.force : g.force - damped) / stiffness;
+  return g;
+}
+
 INLINE real spring_damping_of(PairLaw law, real root_mass, Rise rise) {
   return (law.spring_damping + law.spring_damping_root_mass * root_mass) * rise.root;
 }
@@ -59,14 +92,16 @@ INLINE void stretch_spring(real3* rubbing, global real4* memory, Strain s, PairL
   const real stiffness = law.spring * rise.factor;
   const real damping = spring_damping_of(law, s.root_mass, rise);
   const real3 damped = damping * s.damped;
-  const real3 held = turned(kept(*memory, s.overlap, law), s.normal, law);
+  const real3 held = carried(kept(*memory, s.overlap, law), s, law);
   const real3 moved = s.moved + rest_in(memory);
   real3 trial = held + moved;
   const real3 rest = moved - (trial - held);
   if (s.turnover.since >= 0)
     trial = gripped(held, damping * s.turnover.slip, stiffness, s.turnover.limit, law).spring +
             s.turnover.way;
-  const Grip g = gripped(trial, damped, stiffness, law.sliding * magnitude(s.pressing), law);
+  const real limit = law.sliding * magnitude(s.pressing);
+  const Grip g = s.turn.followed ? gripped_along(held, trial, s, stiffness, damping, limit, law)
+                                 : gripped(trial, damped, stiffness, limit, law);
   *rubbing -= g.force;
   *memory = (real4)(g.spring, s.overlap);
   const bool whole = s.turnover.since < 0 && g.spring.x == trial.x && g.spring.y == trial.y && g.spring.z == trial.z;

@@ -5,6 +5,7 @@ typedef struct {
   real3 moved, damped, normal;
   real pressing, overlap, root_mass, share;
   Turnover turnover;
+  Turn turn;
 } Strain;
 
 INLINE global real4* memory_of_pair(World w, int slot) { return 0; }

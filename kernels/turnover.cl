@@ -9,6 +9,14 @@ typedef struct {
   real limit;
 } Turnover;
 
+// How a contact that has lasted through the whole step has turned in it, where the integrator follows that.
+typedef struct {
+  bool followed;
+  bool rolls;    // two spheres, round each other
+  real3 round;   // half of what that has changed the normal by
+  real3 earlier; // slip at the step's start, as the dashpot would take it
+} Turn;
+
 INLINE Turnover no_turnover() {
   const Turnover t = {-1, (real3)(0), (real3)(0), 0};
   return t;

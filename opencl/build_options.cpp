@@ -137,13 +137,15 @@ std::vector<std::string> memory_files(const BuildOptions& o) {
 
 std::vector<std::string> contact_files(const BuildOptions& o) {
   if (o.implicit_dashpots())
-    return {"contact_point.cl", "stretch_held.cl", "dashpots_implicit.cl", "onset_none.cl", "contact.cl"};
+    return {"contact_point.cl", "stretch_held.cl", "dashpots_implicit.cl",
+            "onset_none.cl",    "turn_none.cl",    "contact.cl"};
   if (!o.predicts())
-    return {"contact_point.cl", "stretch_held.cl", "dashpots_explicit.cl",
-            "refined_none.cl",  "onset_none.cl",   "contact.cl"};
+    return {"contact_point.cl", "stretch_held.cl", "dashpots_explicit.cl", "refined_none.cl", "onset_none.cl",
+            "turn_none.cl",     "contact.cl"};
   if (!o.corrects())
     return {"contact_point.cl", "stretch_middle.cl", "dashpots_explicit.cl",
-            "refined_none.cl",  "onset_none.cl",     "contact.cl"};
+            "refined_none.cl",  "onset_none.cl",     "turn_none.cl",
+            "contact.cl"};
   return {"contact_point.cl",
           "stretch_middle.cl",
           "dashpots_explicit.cl",
@@ -152,6 +154,7 @@ std::vector<std::string> contact_files(const BuildOptions& o) {
           o.hertz ? "onset_hertz.cl" : "onset_by_linear.cl",
           o.ledger ? "onset_booked.cl" : "onset_unbooked.cl",
           "onset_corrected.cl",
+          o.history ? "turn_followed.cl" : "turn_none.cl",
           "contact.cl"};
 }
 

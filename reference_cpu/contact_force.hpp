@@ -69,29 +69,32 @@ inline ContactResponse response(const PairLaws& laws, const ContactPoint& point,
 /// k_t of before over k_t of now, while k_t grows (docs/laws/history.md).
 double kept_share(const PairLaws& laws, const ContactPoint& point, const ContactSprings& springs);
 
+/// What a spring that keeps its force is, at the stiffness of now.
+inline void keep_force(const PairLaws& laws, const ContactPoint& point, ContactSprings& springs) {
+  if (!laws.spring.keeps_force) return;
+  springs.displacement *= kept_share(laws, point, springs);
+  springs.overlap = point.overlap;
+}
+
 /// Of the tangential spring, which is turned, stretched by `moved` (m) and cut back.
 inline Vec3 spring_friction(const PairLaws& laws, const ContactPoint& point, const Vec3& slip, double normal,
                             const ShearResponse& shear, const Vec3& moved, ContactSprings& springs) {
-  if (laws.spring.keeps_force) {
-    springs.displacement *= kept_share(laws, point, springs);
-    springs.overlap = point.overlap;
-  }
+  keep_force(laws, point, springs);
   springs.displacement = laws.spring.turned(springs.displacement, point.normal) + moved;
   return laws.spring.force(springs.displacement, slip, normal, shear);
 }
 
 /// Of any laws, with their springs and dashpots as they are now. `friction_damping` is the η that friction
-/// without memory adds to its slope. The tangential spring is brought up to date by `moved_by`, of the slip.
-template <class MovedBy>
+/// without memory adds to its slope. `of_spring`, of slip and normal force, is the friction of a tangential
+/// spring, and brings it up to date.
+template <class OfSpring>
 ContactForce contact_force(const PairLaws& laws, const ContactPoint& point, const ContactResponse& now,
-                           double friction_damping, double root_mass, const MovedBy& moved_by,
-                           ContactSprings& springs) {
+                           double friction_damping, double root_mass, const OfSpring& of_spring) {
   const double separating = point.relative_velocity.dot(point.normal);
   double normal = now.push - now.damping * separating;
   if (laws.normal.no_tension) normal = std::max(normal, 0.0);
   const Vec3 slip = point.relative_velocity - separating * point.normal;
-  if (laws.spring.present())
-    return {normal, spring_friction(laws, point, slip, normal, now.shear, moved_by(slip), springs)};
+  if (laws.spring.present()) return {normal, of_spring(slip, normal)};
   if (laws.friction.coefficient == 0.0) return {normal, Vec3::Zero()};
   return {normal, laws.friction.force(slip, normal, friction_damping, root_mass)};
 }
@@ -100,8 +103,10 @@ inline ContactForce contact_force(const PairLaws& laws, const ContactPoint& poin
                                   ContactSprings& springs) {
   const double root_mass = std::sqrt(point.effective_mass);
   const ContactResponse now = response(laws, point, root_mass);
-  const auto moved_by = [elapsed](const Vec3& slip) -> Vec3 { return slip * elapsed; };
-  return contact_force(laws, point, now, now.damping, root_mass, moved_by, springs);
+  const auto of_spring = [&](const Vec3& slip, double normal) {
+    return spring_friction(laws, point, slip, normal, now.shear, slip * elapsed, springs);
+  };
+  return contact_force(laws, point, now, now.damping, root_mass, of_spring);
 }
 
 /// Rolling resistance on body 2, N m. `spin` is that of body 2 over body 1, rad/s. Its spring is wound for

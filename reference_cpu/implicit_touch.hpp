@@ -109,8 +109,10 @@ class DashpotTouch : public ImplicitTouch<DashpotTouch<turning, Log>, turning, L
     const double holding = laws.friction.per_speed(damping, root_mass);
     if (!laws.spring.present() && std::isfinite(holding))  // dynamic friction is no dashpot
       slow_slip(point, left_by(holding, across));
-    const auto stays = [](const Vec3&) -> Vec3 { return Vec3::Zero(); };
-    return contact_force(laws, point, now, damping, root_mass, stays, springs);
+    const auto of_spring = [&](const Vec3& slip, double normal) {
+      return spring_friction(laws, point, slip, normal, now.shear, Vec3::Zero(), springs);
+    };
+    return contact_force(laws, point, now, damping, root_mass, of_spring);
   }
 
   static void slow_slip(ContactPoint& point, double left) {

@@ -4,6 +4,19 @@
 
 namespace grainproof::reference {
 
+// Cutting the trial back once, and once in each of two half steps; the error of the two is as 2 to 1.
+Vec3 returned_to_limit(const Vec3& before, const Vec3& trial, double most) {
+  const Vec3 once = trial.normalized();
+  const Vec3 middle = 0.5 * (before + trial);
+  const double length = middle.norm(), limit = 0.5 * (before.norm() + most);
+  if (length <= limit) return most * once;
+  const Vec3 rest = trial - (1.0 - limit / length) * middle;
+  const double beyond = rest.norm();
+  if (beyond == 0.0) return most * once;  // no limit at all
+  const Vec3 extrapolated = (2.0 / beyond) * rest - once;
+  return (most / extrapolated.norm()) * extrapolated;
+}
+
 TangentialSpring tangential_spring(const FrictionLaw& law) {
   const auto* given = std::get_if<HistoryFriction>(&law);
   if (!given) return {};

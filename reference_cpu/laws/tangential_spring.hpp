@@ -14,6 +14,11 @@ struct ShearResponse {
   double damping;    ///< η_t, N s/m
 };
 
+/// Of a trial force beyond the limit `most` what is left at the end of a step that began with the force
+/// `before`: of second order where the force turns (integrators.36). All on the same body and in one plane,
+/// N.
+Vec3 returned_to_limit(const Vec3& before, const Vec3& trial, double most);
+
 /// Friction with a memory (docs/laws/history.md): ζ, the slip since the bodies met.
 struct TangentialSpring {
   double coefficient = 0.0;    ///< μ; zero is no such friction
@@ -39,6 +44,22 @@ struct TangentialSpring {
     const double most = coefficient * std::abs(normal_force);
     return limit == CoulombLimit::spring ? limited_spring(displacement, slip, most, shear)
                                          : limited_sum(displacement, slip, most, shear);
+  }
+
+  /// As force(), at the end of a step (s) through which the bodies have touched and in which `moved` has
+  /// stretched ζ. Where the contact sticks it is the same.
+  Vec3 force_over_step(Vec3& displacement, const Vec3& moved, const Vec3& slip, double normal_force,
+                       const ShearResponse& shear, double step) const {
+    const double most = coefficient * std::abs(normal_force);
+    const bool alone = limit == CoulombLimit::spring;
+    const Vec3 pull = shear.stiffness * displacement, dashpot = shear.damping * slip;
+    const Vec3 sum = pull + dashpot;
+    if ((alone ? pull : sum).squaredNorm() <= most * most) return -sum;
+    Vec3 before = shear.stiffness * (displacement - moved);
+    if (!alone) before += shear.damping * ((2.0 / step) * moved - slip);
+    const Vec3 left = returned_to_limit(before, alone ? pull : sum, most);
+    displacement = (alone ? left : (left - dashpot).eval()) / shear.stiffness;
+    return -left;
   }
 
  private:

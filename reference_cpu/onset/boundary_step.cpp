@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "reference_cpu/contact_loops.hpp"
+#include "reference_cpu/onset/beginning.hpp"
 #include "reference_cpu/onset/parting.hpp"
 
 namespace grainproof::reference {

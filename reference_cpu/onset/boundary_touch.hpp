@@ -111,25 +111,48 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     ContactResponse now = linear_response(laws, point, std::sqrt(point.effective_mass));
     refine(laws.normal.stiffness, inverse_mass(meet), now);
     refine_shear(meet, arms, now);
-    ContactSprings springs;
-    if (may_let_go(laws.normal.stiffness, -separating, inverse_mass(meet), now)) [[unlikely]]
-      springs.displacement = spring_past_zero(laws, meet, arms, point, kept);
-    else
-      springs.displacement = in_plane(kept.displacement, point.normal) + moved_in(meet, arms);
-    const double normal = laws.normal.force(point.overlap, separating, now.damping);
-    const ContactForce force{normal, laws.spring.force(springs.displacement, slip, normal, now.shear)};
+    ContactForce force{laws.normal.force(point.overlap, separating, now.damping), Vec3::Zero()};
+    ContactSprings springs{.displacement = kept.displacement};
+    if (may_let_go(laws.normal.stiffness, -separating, inverse_mass(meet), now)) [[unlikely]] {
+      const Rubbed past = friction_past_zero(laws, meet, arms, point, force.normal, now.shear, kept);
+      force.friction = past.friction;
+      springs.displacement = past.spring;
+    } else {
+      force.friction = friction_over_step(laws, meet, arms, slip, force.normal, now.shear, springs);
+    }
     if constexpr (turning) this->twist(meet, arms, meet.normal.cross(force.friction));
     this->log_.contact(laws, meet, arms, point, force, springs);
     memory_.keep(this->memory_key(meet), meet.second, springs);
     return force.normal * meet.normal + force.friction;
   }
 
-  [[gnu::noinline]] Vec3 spring_past_zero(const PairLaws& laws, Encounter meet, TorqueArms arms,
-                                          ContactPoint point, ContactSprings springs) {
+  struct Rubbed {
+    Vec3 friction;
+    Vec3 spring;  ///< what is left of it, m
+  };
+  [[gnu::noinline]] Rubbed friction_past_zero(const PairLaws& laws, Encounter meet, TorqueArms arms,
+                                              ContactPoint point, double normal, ShearResponse shear,
+                                              ContactSprings springs) {
     const Crossing crossing = pass_zero(laws, meet, arms, point, springs);
-    const bool whole_step = crossing.elapsed == now_.step;
-    const Vec3 moved = whole_step ? moved_in(meet, arms) : (slip_at(point) * crossing.elapsed).eval();
-    return in_plane(crossing.springs.displacement, point.normal) + moved;
+    const Vec3 slip = slip_at(point);
+    springs = crossing.springs;
+    const Vec3 friction =
+        crossing.passed ? spring_friction(laws, point, slip, normal, shear, slip * crossing.elapsed, springs)
+                        : friction_over_step(laws, meet, arms, slip, normal, shear, springs);
+    return {friction, springs.displacement};
+  }
+
+  /// Of a spring that has lasted through the step.
+  Vec3 friction_over_step(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                          const Vec3& slip, double normal, const ShearResponse& shear,
+                          ContactSprings& springs) const {
+    const Vec3 moved = moved_in(meet, arms), held = springs.displacement;
+    if (meet.with_wall())
+      springs.displacement = laws.spring.turned(held, meet.normal) + moved;
+    else
+      springs.displacement =
+          in_plane(held, meet.normal) + carried_round(this->bodies_, meet, held, now_.step) + moved;
+    return laws.spring.force_over_step(springs.displacement, moved, slip, normal, shear, now_.step);
   }
 
   Vec3 last(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
@@ -142,17 +165,24 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
       if (laws.spring.present()) refine_shear(meet, arms, now);
     }
     double elapsed = this->history_.elapsed();
+    bool lasted = now_.started;
     if constexpr (corrects)
       if (now_.started && may_let_go(laws, meet, point, now)) {
         const Crossing crossing = pass_zero(laws, meet, arms, point, springs);
         elapsed = crossing.elapsed;
         springs = crossing.springs;
+        lasted = !crossing.passed;
       }
-    const bool whole_step = elapsed == now_.step;
-    const auto moved_by = [&](const Vec3& slip) -> Vec3 {
-      return whole_step ? moved_in(meet, arms) : (slip * elapsed).eval();
+    const auto of_spring = [&](const Vec3& slip, double normal) -> Vec3 {
+      if constexpr (corrects)
+        if (lasted) {
+          keep_force(laws, point, springs);
+          return friction_over_step(laws, meet, arms, slip, normal, now.shear, springs);
+        }
+      const Vec3 moved = lasted ? moved_in(meet, arms) : (slip * elapsed).eval();
+      return spring_friction(laws, point, slip, normal, now.shear, moved, springs);
     };
-    const ContactForce force = contact_force(laws, point, now, damping, root_mass, moved_by, springs);
+    const ContactForce force = contact_force(laws, point, now, damping, root_mass, of_spring);
     if constexpr (turning) {
       this->twist(meet, arms, meet.normal.cross(force.friction));
       if (laws.rolling.present())
@@ -185,6 +215,7 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   struct Crossing {
     double elapsed;  ///< for which the spring is stretched since, s
     ContactSprings springs;
+    bool passed = true;  ///< else it has lasted through the step
   };
   [[gnu::noinline]] Crossing pass_zero(const PairLaws& laws, Encounter meet, TorqueArms arms,
                                        ContactPoint point, ContactSprings springs);
@@ -240,49 +271,11 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     return this->as_rolling(laws, meet, arms, bodies.half_spin[meet.second] - of_first);
   }
 
-  /// Bodies may slide from the very touch on, at which a dashpot pushes already: the spring is then what
-  /// makes it and its own dashpot add up to the limit. A Hertz contact has no dashpot there.
-  static Vec3 spring_at_touch(const PairLaws& laws, const ContactPoint& point, const Vec3& slip,
-                              double rate) {
-    Vec3 spring = Vec3::Zero();
-    if (!laws.spring.present() || laws.hertz.present()) return spring;
-    const ContactResponse now = response(laws, point, std::sqrt(point.effective_mass));
-    laws.spring.force(spring, slip, now.damping * rate, now.shear);
-    return spring;
-  }
+  static Vec3 spring_at_touch(const PairLaws& laws, const ContactPoint& point, const Vec3& slip, double rate);
 
   /// Rare, and kept out of the loops that are flattened. Given copies, since what it could see through a
   /// reference every contact would have to hold in memory.
-  [[gnu::noinline]] Vec3 begin(const PairLaws& laws, Encounter meet, TorqueArms arms, ContactPoint point) {
-    const Vec3 slip = slip_at(point);
-    const double rate = -half_step_velocity<turning>(this->bodies_, meet, arms).dot(meet.normal);
-    const auto [state, push] = PartialContact(laws, point, now_.step).beginning({meet.overlap, rate});
-    const Vec3 spring = spring_at_touch(laws, point, slip, meet.overlap / push.lasted);
-    point.overlap = state.overlap;
-    const ShearShare share = laws.hertz.present() ? hertz_shear_of_a_beginning : ShearShare{};
-    const Vec3 rub = friction_impulse(laws, point, slip, spring, push, share);
-    const Vec3 slip_now = slip + rub * inverse_sliding_mass(meet, arms);
-    point.relative_velocity = slip_now - state.rate * meet.normal;
-    ContactSprings springs{.displacement = spring + (slip + slip_now) * (0.5 * push.lasted)};
-    const ContactForce force = contact_force(laws, point, 0.0, springs);
-    const double half = 0.5 * now_.step;
-    OnsetEvent event{meet, arms, (push.impulse - half * force.normal) * meet.normal,
-                     rub - half * force.friction, push.moment * meet.normal + (0.5 * push.lasted) * rub};
-    if constexpr (turning) {
-      this->twist(meet, arms, meet.normal.cross(force.friction));
-      // Grows from nothing with the overlap or the turn.
-      if (laws.rolling.present())
-        event.resist =
-            (0.5 * push.lasted - half) * this->resist_rolling(laws, meet, winding_spin(laws, meet, arms),
-                                                              point, force.normal, push.lasted, springs);
-    }
-    event.centre = this->bodies_.body[meet.second].position;
-    events_.add(event);
-    this->log_.contact(laws, meet, arms, point, force, springs);
-    keep(laws, meet, springs);
-    return force.normal * meet.normal + force.friction;
-  }
-
+  [[gnu::noinline]] Vec3 begin(const PairLaws& laws, Encounter meet, TorqueArms arms, ContactPoint point);
   void add_ending(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
                   const BeforeParting& before, ContactSprings springs);
   BeforeParting before_parting(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,

@@ -50,4 +50,13 @@ Vec3 moved_in_step(const Bodies& bodies, const Encounter& meet, const TorqueArms
   return along * step;
 }
 
+/// What parallel transport of a spring has over laying it into the plane of now: (ζ·n) c w (integrators.35).
+inline Vec3 carried_round(const Bodies& bodies, const Encounter& meet, const Vec3& spring, double step) {
+  const Vec3 velocity = half_step_approach(bodies, meet);
+  const Vec3 along = velocity - velocity.dot(meet.normal) * meet.normal;
+  const double touching = bodies.body[meet.first].radius + bodies.body[meet.second].radius;
+  const double c = 0.5 * step / (touching - meet.overlap);
+  return (spring.dot(meet.normal) * c) * along;
+}
+
 }  // namespace grainproof::reference

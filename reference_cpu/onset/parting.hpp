@@ -81,7 +81,7 @@ auto BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::pass_zero(const
     return PartialContact(laws, at, now_.step).force_at({at.overlap, -at.relative_velocity.dot(at.normal)});
   };
   const double then = force_of(before.point), now = force_of(point);
-  if ((then > 0.0) == (now > 0.0)) return {usual, springs};
+  if ((then > 0.0) == (now > 0.0)) return {usual, springs, false};
   if (laws.normal.no_tension && then > 0.0) add_ending(laws, meet, arms, before, springs);
   if (!laws.spring.present()) return {usual, springs};
   springs.rolling_torque.setZero();

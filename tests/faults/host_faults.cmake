@@ -176,6 +176,12 @@ host_fault(OnsetWithoutItsShift FILE reference_cpu/onset/events.cpp CASE onset_n
 host_fault(DashpotThatSeesNothingOfItself FILE reference_cpu/implicit_touch.hpp CASE implicit_settling
   PRINTED "1.0 + half_step_ * damping * inverse_mass"
   PLANTED "1.0")
+host_fault(SpringDoesNotRollAlong FILE reference_cpu/onset/half_step.hpp CASE onset_history OPENCL
+  PRINTED "(spring.dot(meet.normal) * c) * along"
+  PLANTED "0.0 * c * along")
+host_fault(SlipDoesNotTurn FILE reference_cpu/laws/tangential_spring.cpp CASE onset_history OPENCL
+  PRINTED "(2.0 / beyond) * rest - once"
+  PLANTED "once")
 host_fault(ImplicitSlipOfABodyThatCannotTurn FILE reference_cpu/implicit_touch.hpp CASE oblique_schemes OPENCL
   PRINTED "arms.second * arms.second * spins[meet.second].inverse_inertia"
   PLANTED "0.0 * arms.second")
