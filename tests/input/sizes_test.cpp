@@ -19,7 +19,8 @@ std::string cloud(const std::string& diameter, const std::string& more = "") {
 
 std::vector<double> sizes_of(const std::string& text) {
   std::vector<double> sizes;
-  for (const Particle& particle : read_text(text).scenes.at(0).scene.particles)
+  const auto particles = read_text(text).scenes.at(0).scene.particles;
+  for (const Particle& particle : particles)
     if (!particle.fixed) sizes.push_back(particle.diameter);
   return sizes;
 }
@@ -27,7 +28,7 @@ std::vector<double> sizes_of(const std::string& text) {
 TEST(Sizes, AreGivenOneForEachPosition) {
   const std::string text =
       with(example, pair, "diameters = [0.1, 0.2]\npositions = [[0.1, 0.0, 0.0], [0.1, 0.5, 0.0]]");
-  const auto& particles = read_text(text).scenes.at(0).scene.particles;
+  const auto particles = read_text(text).scenes.at(0).scene.particles;
   EXPECT_EQ(particles[1].diameter, 0.1);
   EXPECT_EQ(particles[2].diameter, 0.2);
   EXPECT_EQ(particles[2].effect_diameter, 0.2);
@@ -43,7 +44,7 @@ TEST(Sizes, OfAFillAreSpreadEvenlyAndTouchNothing) {
   double mean = 0.0;
   for (const double size : sizes) mean += size / 200.0;
   EXPECT_NEAR(mean, 0.04, 4.0 * 0.04 / std::sqrt(12.0 * 200.0));  // four standard errors
-  const auto& particles = read_text(text).scenes.at(0).scene.particles;
+  const auto particles = read_text(text).scenes.at(0).scene.particles;
   for (std::size_t i = 0; i < particles.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_GE((particles[i].position - particles[j].position).norm(),
@@ -60,7 +61,7 @@ TEST(Sizes, ALatticeIsAsWideAsItsLargest) {
   const std::string text = with(
       with(example, moving, "fill = { kind = \"lattice\", counts = [3, 3, 1], origin = [0.3, 0.3, 0.3] }"),
       "diameter = 0.1\nfill", "diameter = { uniform = [0.02, 0.06], seed = 1 }\nfill");
-  const auto& particles = read_text(text).scenes.at(0).scene.particles;
+  const auto particles = read_text(text).scenes.at(0).scene.particles;
   EXPECT_NEAR(particles[2].position.x() - particles[1].position.x(), 0.06, 1e-16);
 }
 
@@ -70,7 +71,7 @@ TEST(Sizes, AFileMayHoldDiametersAndSpins) {
       with(with(example, moving, "fill = { kind = \"file\", path = \"sizes_test.csv\" }"),
            "diameter = 0.1\nfill", "fill");
   const std::string turning = with(text, "[field]", "[bodies]\nrotation = true\n[field]");
-  const auto& particles = read_text(turning).scenes.at(0).scene.particles;
+  const auto particles = read_text(turning).scenes.at(0).scene.particles;
   EXPECT_EQ(particles[1].diameter, 0.04);
   EXPECT_EQ(particles[2].diameter, 0.08);
   EXPECT_EQ(particles[1].angular_velocity, Vec3(1, 2, 3));
@@ -105,7 +106,8 @@ TEST(RandomSpins, AreBoundedAndNeedRotation) {
   const std::string text =
       with(cloud("0.05", "\nrandom_spin = 4.0\nseed = 9"), "[field]", "[bodies]\nrotation = true\n[field]");
   double largest = 0.0;
-  for (const Particle& particle : read_text(text).scenes.at(0).scene.particles)
+  const auto particles = read_text(text).scenes.at(0).scene.particles;
+  for (const Particle& particle : particles)
     largest = std::max(largest, particle.angular_velocity.cwiseAbs().maxCoeff());
   EXPECT_LE(largest, 4.0);
   EXPECT_GT(largest, 3.5);
