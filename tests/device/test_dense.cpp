@@ -241,7 +241,7 @@ const Mistake mistakes[] = {
      "if ((at & ~LAST_PARTNER) == partner && partner > WALL_PARTNER)"},
     {"springs_of_walls_are_not_carried", "dense_springs.cl", "if ((at & ~LAST_PARTNER) == partner)",
      "if ((at & ~LAST_PARTNER) == partner && partner < WALL_PARTNER)"},
-    {"springs_do_not_turn", "dense_contact.cl", "turned_springs(*spring, m.normal, law.history)", "*spring"},
+    {"springs_do_not_turn", "dense_contact.cl", "carried_springs(*spring, m, law.history)", "*spring"},
     {"torque_has_the_wrong_sign", "dense_contact.cl", "scaled(outer(m.normal, g.rubbing), -m.arm)",
      "scaled(outer(m.normal, g.rubbing), m.arm)"},
     {"sweep_forgets_the_partner", "dense_pairs.cl", "return scaled(plus_scaled(a, b, (reals)(1)), arm);",
