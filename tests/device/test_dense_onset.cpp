@@ -26,10 +26,12 @@ struct Named {
 constexpr std::array endless{Boundary::periodic, Boundary::periodic, Boundary::periodic};
 constexpr std::array walled{Boundary::wall, Boundary::wall, Boundary::wall};
 
-// This law's force jumps where a spring comes to the Coulomb limit: its dashpot goes. With 0.5 one of them is
-// within rounding of it at a boundary, and slides in one precision but not in the other.
+// This law's force jumps where a spring comes to the Coulomb limit: its dashpot goes. A spring within
+// rounding of it at a boundary slides in one precision but not in the other: in some 2e5 contacts times steps
+// one is to be expected at one coefficient in five, and is there at three of the eight tried from 0.40 to
+// 0.48 (0.40, 0.42, 0.45).
 constexpr HistoryFriction liggghts{
-    0.45, 8e4, 1.0, CoulombLimit::spring, TorqueArm::overlap, SpringTurn::project_and_rescale};
+    0.47, 8e4, 1.0, CoulombLimit::spring, TorqueArm::overlap, SpringTurn::project_and_rescale};
 
 const Named crowds[] = {
     {"gas", {.friction = Frictionless{}, .rotation = false, .boundary = endless}},
