@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "input/fills.hpp"
+#include "input/mass.hpp"
 #include "input/text.hpp"
 
 namespace grainproof::input {
@@ -13,9 +14,7 @@ constexpr std::pair<std::string_view, FillKind> fill_kinds[] = {
     {"lattice", FillKind::lattice}, {"random", FillKind::random}, {"file", FillKind::file}};
 
 void check_mass(const Node& place, double density, double diameter) {
-  const double mass = density * std::pow(diameter, 3);
-  if (!std::isfinite(mass) || mass < std::numeric_limits<double>::min())
-    place.refuse("a diameter whose mass can be written as a number");
+  if (!has_a_mass(density, diameter)) place.refuse("a diameter whose mass can be written as a number");
 }
 
 /// What all particles of a table have in common; diameters are each particle's own.

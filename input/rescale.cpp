@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/mass.hpp"
 #include "input/transforms.hpp"
 
 namespace grainproof::input {
@@ -116,11 +117,6 @@ void scale(Flow& flow, Factor& by) {
   }
 }
 
-bool has_a_mass(const Particle& particle, const Scene& scene) {
-  return std::isnormal(scene.materials[static_cast<std::size_t>(particle.material)].density *
-                       std::pow(particle.diameter, 3));
-}
-
 }  // namespace
 
 bool rescale(SetUp& set_up, double s) {
@@ -136,8 +132,11 @@ bool rescale(SetUp& set_up, double s) {
   for (Wall& wall : scene.walls) scale(wall, by);
   scale(scene.gravity, by);
   scale(scene.flow, by);
-  return !by.lost_any() && std::all_of(scene.particles.begin(), scene.particles.end(),
-                                       [&](const Particle& p) { return has_a_mass(p, scene); });
+  return !by.lost_any() &&
+         std::all_of(scene.particles.begin(), scene.particles.end(), [&](const Particle& p) {
+           const auto material = static_cast<std::size_t>(p.material);
+           return has_a_mass(scene.materials[material].density, p.diameter);
+         });
 }
 
 Vec3 offset_of(const Node& node, const Scene& scene) {
