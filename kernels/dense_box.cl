@@ -21,7 +21,7 @@ typedef struct {
   int4 cells;
   int4 zones;
   int4 counts;           // particles, planes, materials, the material of all particles
-  int4 periodic;
+  int4 periodic;         // w: rows of zones that stand abreast, dense_order.cl
 } DenseBox;
 
 typedef struct {

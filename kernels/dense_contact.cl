@@ -63,7 +63,7 @@ INLINE Vectors turned_springs(Vectors spring, Vectors normal, int variant) {
   const Vectors flat = plus_scaled(spring, normal, -inner(spring, normal));
   if (variant & TURN_PROJECTS) return flat;
   const reals square = inner(flat, flat);
-  return scaled(flat, square > 0 ? roots_of(inner(spring, spring) / square) : 1);
+  return scaled(flat, root_ratios_of(inner(spring, spring), square));
 }
 
 // Against the slip; leaves in `spring`, which is a trial, what the Coulomb limit leaves of it.
@@ -75,7 +75,7 @@ INLINE Vectors gripping_force(Vectors* spring, Vectors damped, reals limit, Pair
   const reals held = alone ? stiffness * stiffness * inner(trial, trial) : inner(force, force);
   const flags slides = held > limit * limit;
   if (any_of(slides)) {
-    const reals share = limit / roots_of(slides ? held : 1);
+    const reals share = limit * inverse_roots_of(slides ? held : 1);
     if (alone) {
       *spring = chosen(slides, scaled(trial, share), trial);
       force = chosen(slides, scaled(*spring, (reals)(stiffness)), force);

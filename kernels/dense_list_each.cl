@@ -75,11 +75,10 @@ INLINE void take_in_row(Seeker s, int row, int across, const Sink* sink, Counts*
 
 INLINE void take_all(Seeker s, int zone, const Sink* sink, Counts* counts) {
   const int4 zones = s.box->zones, periodic = s.box->periodic;
-  const int row = zone / zones.x;
+  const int2 at = place_of_row(s.box, zone / zones.x);
   for (int k = 0; k < 9; ++k) {
-    const int y = row_to_visit(row % zones.y, k % 3, zones.y, periodic.y);
-    const int z = row_to_visit(row / zones.y, k / 3, zones.z, periodic.z);
-    if (y >= 0 && z >= 0) take_in_row(s, z * zones.y + y, zone % zones.x, sink, counts);
+    const int y = row_to_visit(at.x, k % 3, zones.y, periodic.y), z = row_to_visit(at.y, k / 3, zones.z, periodic.z);
+    if (y >= 0 && z >= 0) take_in_row(s, row_at(s.box, y, z), zone % zones.x, sink, counts);
   }
 }
 

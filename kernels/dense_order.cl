@@ -25,9 +25,23 @@ INLINE uint coarse_along(int cell, phase p, double coarse) {
 
 INLINE int3 cells_in(int packed) { return (int3)(packed & 1023, packed >> 10 & 1023, packed >> 20 & 1023); }
 
+// Rows of zones lie along x, some abreast in a band along z, and band after band: who is met in the next row or layer
+// was met a short while ago, and is still in a cache, in a box of any width.
+INLINE int row_at(const KNOWN DenseBox* box, int y, int z) {
+  const int first = y / box->periodic.w * box->periodic.w, width = min(box->periodic.w, box->zones.y - first);
+  return first * box->zones.z + z * width + y - first;
+}
+
+// y and z.
+INLINE int2 place_of_row(const KNOWN DenseBox* box, int row) {
+  const int first = row / (box->periodic.w * box->zones.z) * box->periodic.w;
+  const int width = min(box->periodic.w, box->zones.y - first), within = row - first * box->zones.z;
+  return (int2)(first + within % width, within / width);
+}
+
 INLINE int dense_zone(const KNOWN DenseBox* box, uint x, uint y, uint z) {
   const int4 n = box->zones;
-  return ((int)mul_hi(z, (uint)n.z) * n.y + (int)mul_hi(y, (uint)n.y)) * n.x + (int)mul_hi(x, (uint)n.x);
+  return row_at(box, (int)mul_hi(y, (uint)n.y), (int)mul_hi(z, (uint)n.z)) * n.x + (int)mul_hi(x, (uint)n.x);
 }
 
 kernel void dense_zone_clear(global int* zone_counts, const int zones) {

@@ -235,10 +235,9 @@ INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, Alik
   if (VARIED) m.touching = m.touching & (b.inverse_mass + motion.w > 0);
   const flags was = CORRECTED ? flags_in(touched, b.lane) : m.touching;
   const flags met = m.touching | was;
-  const reals distance = roots_of(met ? square : (reals)(1)), reach = distance + sigma;
-  const reals inverse = 1 / (distance * reach);
-  m.overlap = met ? gap * distance * inverse : (reals)(0);
-  m.normal = scaled(apart, reach * inverse);
+  const reals nearness = inverse_roots_of(met ? square : (reals)(1)), inverse = inverses_of(square * nearness + sigma);
+  m.overlap = met ? gap * inverse : (reals)(0);
+  m.normal = scaled(apart, nearness);
   m.root_mass = VARIED ? roots_of(1 / (b.inverse_mass + motion.w)) : (reals)(d.box->body.w);
   m.arm = arm_of(b.radius, m.overlap, law.history);
   const reals radius = VARIED ? to_reals(phases_of(at.w)) * d.box->metre.w : (reals)(d.box->body.x);
@@ -257,7 +256,7 @@ INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, Alik
   }
   if (PREDICTED && HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
   m.rolls = true;
-  if (PREDICTED && HISTORY) stretch_by_middles(&m, d.box->time.y * (reach * inverse));
+  if (PREDICTED && HISTORY) stretch_by_middles(&m, d.box->time.y * nearness);
   const bool event = any_event(m, was, law, duration);
   if (event && !HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
   Vectors spring = springs_before(d, mark);
@@ -276,6 +275,9 @@ INLINE int meet_pairs(Dense d, Push* total, Bodies b, real duration) {
   if (CORRECTED) alike = alike_of(d, law, duration);
   const int4 head = d.heads[b.group];
   int heard = 0;
-  for (int k = head.w; k < head.y; ++k) heard |= meet_slot(d, total, b, head.x + k, law, alike, duration);
+  for (int k = head.w; k < head.y; ++k) {
+    if (k + 1 < head.y) ask_for(d.records, d.list + (size_t)(head.x + k + 1) * GROUP + b.lane);
+    heard |= meet_slot(d, total, b, head.x + k, law, alike, duration);
+  }
   return heard;
 }

@@ -81,10 +81,10 @@ INLINE void seek_in_row(Seekers s, const global int* zone_starts, int row, int f
 
 INLINE void seek_around(Seekers s, const global int* zone_starts, int row, int from, int to, masks seeking, Found* found) {
   const int4 zones = s.box->zones, periodic = s.box->periodic;
+  const int2 at = place_of_row(s.box, row);
   for (int k = 0; k < 9; ++k) {
-    const int y = row_to_visit(row % zones.y, k % 3, zones.y, periodic.y);
-    const int z = row_to_visit(row / zones.y, k / 3, zones.z, periodic.z);
-    if (y >= 0 && z >= 0) seek_in_row(s, zone_starts, z * zones.y + y, from, to, seeking, found);
+    const int y = row_to_visit(at.x, k % 3, zones.y, periodic.y), z = row_to_visit(at.y, k / 3, zones.z, periodic.z);
+    if (y >= 0 && z >= 0) seek_in_row(s, zone_starts, row_at(s.box, y, z), from, to, seeking, found);
   }
 }
 

@@ -82,6 +82,17 @@ INLINE Quarter fetch(const global real4* records, const global uint* entry, int 
                     (double8)(RECORD_OF(2), RECORD_OF(6)), (double8)(RECORD_OF(3), RECORD_OF(7)));
 }
 
+// As wide_single_16.cl; more than a pair of quarters is two lines of the cache, wherever it begins.
+#define ASK(k) fetch_ahead(units + entry[k])
+#define ASK_FOR_ALL ASK(0), ASK(1), ASK(2), ASK(3), ASK(4), ASK(5), ASK(6), ASK(7)
+INLINE void ask_for(const global real4* records, const global uint* entry) {
+  const global ulong* units = (const global ulong*)records;
+  ASK_FOR_ALL;
+  if (QUARTERS <= 2) return;
+  units += 8;
+  ASK_FOR_ALL;
+}
+
 #define OWN_RECORD(k) records[(first + k) * QUARTERS + quarter]
 INLINE Quarter fetch_own(const global real4* records, int first, int quarter) {
   return transposed((double8)(OWN_RECORD(0), OWN_RECORD(4)), (double8)(OWN_RECORD(1), OWN_RECORD(5)),

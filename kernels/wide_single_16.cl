@@ -51,6 +51,14 @@ INLINE masks masks_of_lanes(int from, int to) {
   return as_uint16((lanes >= from) & (lanes < to));
 }
 
+#if defined(__clang__) && defined(__AVX512F__)
+typedef int bare_int16 __attribute__((__vector_size__(64)));
+INLINE int bits_of(flags f) {
+  const int16 none = 0;
+  return __builtin_ia32_cmpd512_mask(__builtin_astype(f, bare_int16), __builtin_astype(none, bare_int16), 4, (ushort)-1);
+}
+INLINE bool any_of(flags f) { return bits_of(f) != 0; }
+#else
 INLINE bool any_of(flags f) {
   const int8 c = f.lo | f.hi;
   const int4 d = c.lo | c.hi;
@@ -64,6 +72,7 @@ INLINE int bits_of(flags f) {
   const int2 e = d.lo | d.hi;
   return e.x | e.y;
 }
+#endif
 
 // Two by two in place of all at once: every line is one instruction.
 INLINE Quarter transposed(float16 a, float16 b, float16 c, float16 d) {
@@ -89,6 +98,19 @@ INLINE Quarter fetch(const global real4* records, const global uint* entry, int 
                     (float16)(RECORD_OF(1), RECORD_OF(5), RECORD_OF(9), RECORD_OF(13)),
                     (float16)(RECORD_OF(2), RECORD_OF(6), RECORD_OF(10), RECORD_OF(14)),
                     (float16)(RECORD_OF(3), RECORD_OF(7), RECORD_OF(11), RECORD_OF(15)));
+}
+
+// Asks for the records of a slot before they are wanted, so that they come while another slot is computed.
+#define ASK(k) fetch_ahead(units + entry[k])
+#define ASK_FOR_ALL                                                                                                 \
+  ASK(0), ASK(1), ASK(2), ASK(3), ASK(4), ASK(5), ASK(6), ASK(7), ASK(8), ASK(9), ASK(10), ASK(11), ASK(12), ASK(13), \
+      ASK(14), ASK(15)
+INLINE void ask_for(const global real4* records, const global uint* entry) {
+  const global ulong* units = (const global ulong*)records;
+  ASK_FOR_ALL;
+  if (QUARTERS % 2 == 0) return;
+  units += QUARTERS == 3 ? 4 : 8;  // where an odd number ends in another line of the cache, if it does
+  ASK_FOR_ALL;
 }
 
 #define OWN_RECORD(k) records[(first + k) * QUARTERS + quarter]

@@ -132,7 +132,8 @@ std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
     add({twice ? "wide_double_1.cl" : "wide_single_1.cl", "wide_1.cl"});
   else
     add({twice ? "wide_double_8.cl" : "wide_single_16.cl"});
-  add({"dense_box.cl", o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl", "dense_contact.cl"});
+  add({"dense_roots.cl", "dense_box.cl", o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl",
+       "dense_contact.cl"});
   if (o.corrected)
     add({"dense_flow.cl", "dense_onset.cl"});
   else

@@ -27,6 +27,7 @@ constexpr std::array endless{Boundary::periodic, Boundary::periodic, Boundary::p
 
 const Named crowds[] = {
     {"bed", {}},
+    {"bands", {.across = 13, .layers = 6}},  // more rows of zones than stand abreast
     {"liggghts", {.friction = liggghts}},
     {"no_tension", {.no_tension = true}},
     {"collision_time_friction", {.friction = CollisionTimeFriction{0.4, 1e5}}},
@@ -247,15 +248,20 @@ const Mistake mistakes[] = {
     {"sweep_forgets_the_partner", "dense_pairs.cl", "return scaled(plus_scaled(a, b, (reals)(1)), arm);",
      "return scaled(a, arm);"},
     {"a_row_beyond_the_face_is_missed", "dense_near.cl", "(z < 0 ? z + zones : z - zones)", "-1"},
+    {"the_last_band_is_taken_for_a_full_one", "dense_order.cl", "within % width", "within % box->periodic.w"},
+    {"a_quotient_is_an_estimate", "dense_roots.cl", "fma(y, fma(-x, y, (reals)(1)), y)", "y"},
+    {"a_root_is_an_estimate", "dense_roots.cl", "fma(y, fma(x * y * -0.5f, y, (reals)(0.5f)), y)", "y"},
 };
 
 class DenseMistakes : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(DenseMistakes, AreNoticed) {
+  if (std::string_view(GetParam().file) == "dense_roots.cl" && !__builtin_cpu_supports("avx512f"))
+    GTEST_SKIP() << "only AVX-512 estimates roots";
   EngineOptions options = on(Path::dense);
   options.kernels = kernels_with(GetParam().file, GetParam().right, GetParam().wrong);
   options.skin = 0.002;
-  const Scene scene = crowded_scene({});
+  const Scene scene = crowded_scene({.across = 13, .layers = 6});
   const State exact = final_state(on(Path::zoned, Precision::double_precision), scene);
   const State seen = final_state(options, scene);
   const bool springs_differ =

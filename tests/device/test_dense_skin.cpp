@@ -37,7 +37,8 @@ TEST(DenseSkin, IsFoundDuringTheRun) {
   const Seen found = seen(slow_gas(SumOrder::fast), searched, 400, 400);
   const Seen wide = seen(slow_gas(SumOrder::fast), 0.3 * diameter, 400, 400);
   EXPECT_LT(found.counters.skin, 0.2 * diameter);
-  EXPECT_LT(found.counters.listed_pairs, wide.counters.listed_pairs);
+  // Its lists last less long. How many pairs they hold is a matter of how full their slots are, in so small a crowd.
+  EXPECT_GT(found.counters.list_rebuilds, 2 * wide.counters.list_rebuilds);
 }
 
 TEST(DenseSkin, OfASearchDoesNotDependOnHowStepsAreAskedFor) {
