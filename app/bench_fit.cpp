@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <vector>
 
 namespace grainproof::app {
 namespace {
@@ -32,12 +33,13 @@ Linear linear_fit(std::span<const Timed> points, double exponent, bool with_inte
 }
 
 /// Golden section: the sum of squares has one minimum over the exponents that are thinkable.
-double best_exponent(std::span<const Timed> points) {
+double best_exponent(std::span<const Timed> points, bool with_intercept) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
   double low = 0.2, high = 3.0;
   while (high - low > 1e-7) {
     const double one = high - golden * (high - low), two = low + golden * (high - low);
-    if (linear_fit(points, one, true).sum_of_squares < linear_fit(points, two, true).sum_of_squares)
+    if (linear_fit(points, one, with_intercept).sum_of_squares <
+        linear_fit(points, two, with_intercept).sum_of_squares)
       high = two;
     else
       low = one;
@@ -65,18 +67,27 @@ double half_width(std::span<const Timed> points, const PowerLaw& law) {
   return boost::math::quantile(distribution, 0.975) * std::sqrt(squares / freedom * inverse(0, 0));
 }
 
-}  // namespace
-
-std::optional<PowerLaw> fit_power_law(std::span<const Timed> points) {
-  if (points.size() < fewest_points) return std::nullopt;
+PowerLaw fitted(std::span<const Timed> points, bool with_intercept) {
   PowerLaw law{};
-  law.exponent = best_exponent(points);
-  const Linear linear = linear_fit(points, law.exponent, true);
+  law.exponent = best_exponent(points, with_intercept);
+  const Linear linear = linear_fit(points, law.exponent, with_intercept);
   law.intercept = linear.intercept;
   law.factor = linear.factor;
   const double half = half_width(points, law);
   law.exponent_low = law.exponent - half;
   law.exponent_high = law.exponent + half;
+  return law;
+}
+
+}  // namespace
+
+std::optional<PowerLaw> fit_power_law(std::span<const Timed> points, std::optional<double> known_intercept) {
+  if (points.size() < fewest_points) return std::nullopt;
+  if (!known_intercept) return fitted(points, true);
+  std::vector<Timed> beyond(points.begin(), points.end());
+  for (Timed& point : beyond) point.seconds -= *known_intercept;
+  PowerLaw law = fitted(beyond, false);
+  law.intercept = *known_intercept;
   return law;
 }
 

@@ -17,6 +17,8 @@ struct Timed {
 };
 
 /// Least squares of relative residuals, the intercept not negative. None with fewer than four sizes.
-std::optional<PowerLaw> fit_power_law(std::span<const Timed> points);
+/// known_intercept: in s, where another fit has found it; large sizes alone say nothing about it.
+std::optional<PowerLaw> fit_power_law(std::span<const Timed> points,
+                                      std::optional<double> known_intercept = std::nullopt);
 
 }  // namespace grainproof::app

@@ -45,6 +45,16 @@ TEST(PowerLaw, ConfidenceHoldsTheTruthAndGrowsWithTheNoise) {
   EXPECT_GT(loud->exponent_high - loud->exponent_low, 5.0 * (quiet->exponent_high - quiet->exponent_low));
 }
 
+TEST(PowerLaw, OfLargeSizesAloneIsNarrowerWithAKnownIntercept) {
+  std::vector<Timed> large = points(0.02, 3e-8, 1.07, 0.02);
+  large.erase(large.begin(), large.end() - 5);
+  const auto free = fit_power_law(large), held = fit_power_law(large, 0.02);
+  EXPECT_EQ(held->intercept, 0.02);
+  EXPECT_LT(held->exponent_low, 1.07);
+  EXPECT_GT(held->exponent_high, 1.07);
+  EXPECT_LT(held->exponent_high - held->exponent_low, 0.5 * (free->exponent_high - free->exponent_low));
+}
+
 TEST(PowerLaw, NeedsFourSizes) {
   std::vector<Timed> found = points(0.0, 1e-7, 1.0);
   found.resize(3);
