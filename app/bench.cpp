@@ -90,12 +90,19 @@ nlohmann::json results_of(const BenchSession& session) {
   return results;
 }
 
+/// Also while suites are being measured: a session that is cut short has its rows.
+void write_json(const BenchOptions& options, const BenchSession& session, bool complete) {
+  nlohmann::json results = results_of(session);
+  results["complete"] = complete;
+  const std::string json = results.dump(2) + "\n";
+  if (!options.json.empty()) report::write_file(options.json, json);
+  if (!options.out.empty()) report::write_file(options.out / "results.json", json);
+}
+
 void write_results(const BenchOptions& options, const BenchSession& session, const std::string& tables,
                    Progress& progress) {
-  const std::string json = results_of(session).dump(2) + "\n";
-  if (!options.json.empty()) report::write_file(options.json, json);
+  write_json(options, session, true);
   if (options.out.empty()) return;
-  report::write_file(options.out / "results.json", json);
   report::write_file(options.out / "tables.txt", tables);
   draw_plots(options.out, progress);
   report::write_file(options.out / "index.html",
@@ -114,6 +121,7 @@ int bench(const BenchOptions& options, Terminal& terminal) {
   Progress progress(terminal.err, terminal.err_is_terminal, terminal.quiet);
   const std::vector<Suite> suites = suites_asked_for(options.suites);
   BenchSession session(options, progress);
+  session.has_more = [&] { write_json(options, session, false); };
   measure_roofline(session);
   std::string tables;
   for (const Suite& suite : suites) {

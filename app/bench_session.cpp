@@ -157,6 +157,7 @@ std::vector<Sample> BenchSession::run(const BenchRun& what) {
   std::ifstream report(folder.path() / "report.json");
   const std::vector<Sample> found = samples_of(nlohmann::json::parse(report));
   samples_.insert(samples_.end(), found.begin(), found.end());
+  has_more();
   return found;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -48,6 +49,8 @@ class BenchSession {
 
   /// Beside the rows: "fits", "ratios".
   nlohmann::json extra = nlohmann::json::object();
+  /// Called when a program has measured something, so that what there is can be kept.
+  std::function<void()> has_more = [] {};
 
  private:
   std::vector<std::string> command(const BenchRun& what, const std::filesystem::path& json) const;

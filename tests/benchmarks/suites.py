@@ -150,6 +150,7 @@ def main(program, suite, cache):
         check(suite in done.stdout, f"no table:\n{done.stdout}")
         results = json.loads((out / "results.json").read_text(encoding="utf-8"))
         check(results["schema"] == 1 and results["machine"]["processor"], "no schema or machine")
+        check(results["complete"] is True, "the results say that they are not complete")
         rows = [row for row in results["results"] if row["suite"] == suite]
         check(rows, "no rows")
         for row in rows:
