@@ -146,6 +146,15 @@ constexpr std::array features_columns{
     ShownColumn{"cundall_number", "C"},    ShownColumn{"status", "status"},
 };
 
+constexpr std::array costs_columns{
+    ShownColumn{"scene", "scene"},         ShownColumn{"engine", "engine"},
+    ShownColumn{"precision", "precision"}, ShownColumn{"cost", "cost of"},
+    ShownColumn{"with", "with"},           ShownColumn{"steps", "steps a piece"},
+    ShownColumn{"step_s", "s a step"},     ShownColumn{"cpu_step_s", "processor s"},
+    ShownColumn{"cundall_number", "C"},    ShownColumn{"bytes_per_particle", "B/particle"},
+    ShownColumn{"status", "status"},
+};
+
 constexpr std::array layout_columns{
     ShownColumn{"what", "what"},           ShownColumn{"way", "way"},
     ShownColumn{"particles", "particles"}, ShownColumn{"ns_a_particle", "ns a particle"},
@@ -214,6 +223,8 @@ constexpr std::array suites{
     Suite{"neighbours", "searches, their growth and share, and the best skin", measure_neighbours,
           neighbours_columns},
     Suite{"features", "what each feature costs, on against off", measure_features, features_columns},
+    Suite{"costs", "what may cost only so much: upper bounds of 95 % against their bars", measure_costs,
+          costs_columns},
     Suite{"layout", "records or arrays, scans, sums of forces, sizes of zones", measure_layout,
           layout_columns},
     Suite{"peers", "against LAMMPS and LIGGGHTS on the same scenes, interleaved", measure_peers,

@@ -33,6 +33,9 @@ std::vector<std::int64_t> within_limits(const BenchSession& session, std::vector
 void measure_scaling(BenchSession& session);
 /// bench_stability.cpp
 void measure_stability(BenchSession& session);
+/// bench_costs.cpp
+void measure_costs(BenchSession& session);
+void conclude_costs(BenchSession& session, const std::vector<Sample>& samples);
 
 /// What follows from the samples of a suite, into BenchSession::extra; bench_conclusions.cpp and
 /// bench_accuracy.cpp.

@@ -144,6 +144,21 @@ std::string agreement_text(const json& one) {
          " beyond; permitted above the limit: " + std::to_string(one.at("permitted_above").get<int>()) + "\n";
 }
 
+std::string per_cent(const json& row, const char* key) {
+  return report::brief(100.0 * row.at(key).get<double>()) + " %";
+}
+
+std::string cost_text(const json& cost) {
+  const std::string what = "  " + cost.at("cost").get<std::string>() + ", " +
+                           cost.at("scene").get<std::string>() + ", " + cost.at("engine").get<std::string>() +
+                           " " + cost.at("precision").get<std::string>() + ": ";
+  if (!cost.contains("bound")) return what + "two pairs at least make a bound\n";
+  return what + per_cent(cost, "mean") + ", at most " + per_cent(cost, "bound") + " (95 %, " +
+         std::to_string(cost.at("pairs").get<int>()) + " pairs), bar " + per_cent(cost, "bar") + ": " +
+         cost.at("verdict").get<std::string>() + "; of processor time " + per_cent(cost, "cpu_mean") +
+         ", at most " + per_cent(cost, "cpu_bound") + "\n";
+}
+
 std::string worst_text(const json& one) {
   return "  " + one.at("scene").get<std::string>() + ", friction " + one.at("friction").get<std::string>() +
          ", " + one.at("engine").get<std::string>() + " " + one.at("precision").get<std::string>() + ": " +
@@ -169,6 +184,7 @@ std::string suite_text(const Suite& suite, const json& results, const report::Pa
   for (const json& safe : rows_of_suite(results, "safe_shares", suite.name)) text << share_text(safe);
   for (const json& one : rows_of_suite(results, "agreement", suite.name)) text << agreement_text(one);
   for (const json& one : rows_of_suite(results, "worst", suite.name)) text << worst_text(one);
+  for (const json& cost : rows_of_suite(results, "costs", suite.name)) text << cost_text(cost);
   const json failed = rows_of_suite(results, "failed", suite.name);
   if (!failed.empty()) text << "  Not measured, with the reason\n";
   for (const json& row : failed) text << failure_text(row);

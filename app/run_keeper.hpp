@@ -34,6 +34,9 @@ class RunKeeper {
   /// Between pieces of a run, after `seconds` of steps. Throws RunWentWrong.
   void pass(Run& run, double seconds, bool ledger);
 
+  /// Seconds of steps from one look to the next, as the last one took.
+  double wait_s() const { return wait_s_; }
+
   /// The last state that was looked at and found good; none where there was none yet.
   const std::optional<Checkpoint>& good() const { return good_; }
   /// Whether the run went wrong by what the keeper saw; else the engine found out at the very step.

@@ -130,7 +130,8 @@ int run_scene(const RunOptions& options, Terminal& terminal) {
   const auto saved = saved_run(options, chosen);
   const bool wanted = ledger_wanted(options, chosen, saved);
   const Request request = supported_request(*engine, chosen.scene, wanted, options.ledger);
-  if (!options.no_self_test) require_sound_kernels(*engine, data, options.device, progress);
+  if (!options.no_self_test)
+    require_sound_kernels({*engine, chosen.scene, request}, data, options.device, progress);
   if (saved) say_how_it_goes_on(*engine, chosen.scene, request, *saved, progress);
   RunKeeper keeper(chosen.scene, kept, origin_of(*engine, chosen));
 

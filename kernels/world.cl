@@ -8,7 +8,8 @@ typedef struct {
   real4 gravity;    // xyz: constant, m/s²; w: magnitude of a central field
   real4 stream;     // xyz: uniform flow, m/s; w: amplitude of a vortex
   real4 time;       // step, half step (s); drift, half drift (a position's units per velocity)
-  real4 limits;     // x: largest overlap, as a fraction of the smaller radius; y: 1 where bodies may leap over others
+  real4 limits;     // x: largest overlap, as a fraction of the smaller radius; y: 1 where bodies may leap over others;
+                    // z: what rounding has left out of the step (s)
   int4 counts;      // particles, materials, planes, rectangles
   int4 walls;       // all, cylinders, moving
 } Constants;

@@ -80,13 +80,28 @@ std::unique_ptr<Run> OpenClEngine::start(const Scene& scene, const Request& requ
   return begin(scene, request);
 }
 
-std::unique_ptr<RestorableRun> OpenClEngine::begin(const Scene& scene, const Request& request) {
-  const bool small = takes_small_path(options_.path, scene);
-  const bool searched = !options_.skin && scene.run.skin == RunSettings::searched_skin;
-  const double wanted = searched ? first_skin(scene) : options_.skin.value_or(given_or_usual_skin(scene));
-  const double skin = skin_for_endings(scene, wanted);
+double OpenClEngine::skin_of(const Scene& scene) const {
+  const double wanted =
+      searches_skin(scene) ? first_skin(scene) : options_.skin.value_or(given_or_usual_skin(scene));
+  return skin_for_endings(scene, wanted);
+}
+
+bool OpenClEngine::searches_skin(const Scene& scene) const {
+  return !options_.skin && scene.run.skin == RunSettings::searched_skin;
+}
+
+Path OpenClEngine::path_of(const Scene& scene, const Request& request) const {
+  if (takes_small_path(options_.path, scene)) return Path::small;
   const bool one = takes_one(options_.width, workshop_->is_gpu());
-  if (!small && takes_dense_path(options_.path, scene, request, skin, one))
+  return takes_dense_path(options_.path, scene, request, skin_of(scene), one) ? Path::dense : Path::zoned;
+}
+
+std::unique_ptr<RestorableRun> OpenClEngine::begin(const Scene& scene, const Request& request) {
+  const Path path = path_of(scene, request);
+  const bool searched = searches_skin(scene), small = path == Path::small;
+  const double skin = skin_of(scene);
+  const bool one = takes_one(options_.width, workshop_->is_gpu());
+  if (path == Path::dense)
     return std::make_unique<DenseRun>(workshop_, scene, dense_options(scene, options_.precision, one), skin,
                                       searched ? std::optional(skin_for_endings(scene, 0.0)) : std::nullopt);
   BuildOptions build = build_options(scene, request, options_.precision, small);

@@ -58,6 +58,8 @@ class OpenClEngine : public RestartableEngine {
   Support supports(const Scene& scene, const Request& request) const override;
   std::unique_ptr<Run> start(const Scene& scene, const Request& request) override;
   Provenance provenance() const override;
+  /// The path that a supported scene is run on; never `automatic`.
+  Path path_of(const Scene& scene, const Request& request) const;
   /// For several threads at once: they take turns at the devices, across all engines of a process.
   Observations observe(const Scene& scene, const Request& request) override;
 
@@ -68,6 +70,9 @@ class OpenClEngine : public RestartableEngine {
                                         const Beginning& beginning) override;
 
  private:
+  bool searches_skin(const Scene& scene) const;
+  /// With which a run begins.
+  double skin_of(const Scene& scene) const;
   /// On the path that it takes; the scene is supported.
   std::unique_ptr<RestorableRun> begin(const Scene& scene, const Request& request);
 

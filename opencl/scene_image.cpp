@@ -49,6 +49,7 @@ class Imager {
                static_cast<Real>(drift / 2)}};
     c.limits.s[0] = static_cast<Real>(scene_.run.overlap_limit);
     c.limits.s[1] = may_leap(scene_) ? Real{1} : Real{0};
+    c.limits.s[2] = static_cast<Real>(step - static_cast<double>(static_cast<Real>(step)));
     c.counts = {{static_cast<cl_int>(image_.particles), static_cast<cl_int>(scene_.materials.size()),
                  static_cast<cl_int>(image_.near.planes.size()),
                  static_cast<cl_int>(image_.near.rectangles.size())}};

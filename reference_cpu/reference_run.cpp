@@ -173,12 +173,16 @@ void ReferenceRun::add_contacts(double elapsed, ForceLog* log) {
   }
 }
 
+void ReferenceRun::book_half_of_onsets() {
+  if (!ledger_) return;
+  for (const OnsetEvent& event : events_) ledger_->half_of(event, bodies_, walls_, box_);
+}
+
+/// All are booked before and after all, so that what each has done does not depend on their order.
 void ReferenceRun::correct_onsets() {
-  for (const OnsetEvent& event : events_) {
-    if (ledger_) ledger_->half_of(event, bodies_, walls_, box_);
-    correct(bodies_, box_, event);
-    if (ledger_) ledger_->half_of(event, bodies_, walls_, box_);
-  }
+  book_half_of_onsets();
+  for (const OnsetEvent& event : events_) correct(bodies_, box_, event);
+  book_half_of_onsets();
   events_.clear();
 }
 

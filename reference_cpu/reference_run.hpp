@@ -50,6 +50,7 @@ class ReferenceRun : public RestartableRun {
   void add_contacts(double elapsed, ForceLog* log);
   /// What began or ended within the step.
   void correct_onsets();
+  void book_half_of_onsets();
   void check_velocities();
   void raise_trouble() const;
   std::vector<Vec3> positions() const;

@@ -23,6 +23,8 @@ SUITES = {
                    "neighbours_skin_gas_900"}),
     "features": ({"scene", "engine", "precision", "feature", "with"}, {"step_s", "cundall_number"},
                  {"features_bed_900", "features_gas_900"}),
+    "costs": ({"scene", "engine", "precision", "cost", "with"}, {"particles", "steps", "step_s", "cpu_step_s",
+              "cundall_number", "bar"}, set()),
     "layout": ({"what", "way"}, {"particles", "ns_a_particle"}, {"layout"}),
     "peers": ({"scene", "engine", "precision", "processes"}, {"particles", "steps", "cundall_number", "cundall_min",
               "cundall_max", "bytes_per_particle"}, {"peers_bed_900", "peers_gas_900", "peers_ratios"}),
@@ -110,6 +112,18 @@ def check_stability(rows, results):
     check(all(one["beyond"] == 0 for one in results["agreement"]), "the conclusion says otherwise")
 
 
+def check_costs(results):
+    """Each bound follows from its pairs, and the verdict from the bound: not from here."""
+    seen = {(row["cost"], row["scene"], row["engine"]) for row in results["costs"]}
+    check(("sentinels", "bed_900", "opencl") in seen and ("ledger", "gas_900", "reference") in seen, f"lacking: {seen}")
+    check(not any(cost == "mixed" for cost, _, _ in seen), f"mixed is held against single alone: {seen}")
+    for row in results["costs"]:
+        check(row["pairs"] == 2 and 0.0 < row["bar"] < 1.0, f"no pairs or no bar: {row}")
+        check(math.isfinite(row["mean"]) and row["mean"] <= row["bound"], f"no bound: {row}")
+        check(row["verdict"] == ("yes" if row["bound"] <= row["bar"] else "no"), f"another verdict: {row}")
+        check(row["cpu_mean"] <= row["cpu_bound"], f"no processor time: {row}")
+
+
 def check_long(rows):
     """Every bound is held, the source's scheme is lost when it must be, and the default one has a curve."""
     for row in rows:
@@ -163,6 +177,8 @@ def main(program, suite, cache):
             check_work_precision(results)
         if suite == "stability":
             check_stability(rows, results)
+        if suite == "costs":
+            check_costs(results)
         if suite == "long":
             check_long(rows)
         check_pictures(out, pictures)

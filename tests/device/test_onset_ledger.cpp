@@ -185,20 +185,19 @@ TEST(OnsetLedgerInDouble, OfAGasKeepsMomentum) {
   EXPECT_LE(leak.momentum, steps * double_roundoff * leak.scale);
 }
 
-// One sphere overlaps the floor at the start. How an event's work is shared between the two dashpots is each
-// engine's own, their sum is not.
+// One sphere overlaps the floor at the start. Spheres with several events in one step are many, and what each
+// of those has done is measured by the velocities before and after all of them.
 TEST(OnsetLedgerInDouble, OfAGasIsTheReferences) {
   constexpr std::int64_t steps = 100;
   const Scene scene = scene_of("gas");
   reference::ReferenceEngine reference;
   const Ran expected = ran(reference, scene, steps);
   const Ran seen = ran_on_device(Precision::double_precision, Path::zoned, scene, steps);
-  const auto dissipated = [](const Ledger& l) { return l.dissipated_normal + l.dissipated_tangential; };
   const double bar = 1e-11 * expected.after.kinetic;
-  EXPECT_NEAR(dissipated(seen.after), dissipated(expected.after), bar);
-  EXPECT_NEAR(seen.after.elastic, expected.after.elastic, bar);
+  for (std::size_t k = 0; k < energies.size(); ++k)
+    EXPECT_NEAR(seen.after.*energies[k], expected.after.*energies[k], bar) << k;
   EXPECT_GT(expected.before.elastic, 0.0);
-  EXPECT_EQ(dissipated(expected.before), 0.0);
+  EXPECT_EQ(expected.before.dissipated_normal + expected.before.dissipated_tangential, 0.0);
   for (std::size_t i = 0; i < scene.particles.size(); ++i)
     EXPECT_LE((seen.frame.velocity[i] - expected.frame.velocity[i]).norm(), 1e-11) << i;
 }

@@ -93,6 +93,8 @@ inline constexpr std::array kernel_faults{
                 "rolling_pair_spring"},
     KernelFault{"QuaternionTurnedByTheWholeAngle", "quaternion.cl", "(real)0.5 * (real4)(v", "(real4)(v",
                 "orientation_exponential"},
+    KernelFault{"RestOfTheStepNotTurned", "orientation_kept.cl", " + spin * w.constants->limits.z", "",
+                "orientation_exponential", opencl::Precision::single_precision},
     KernelFault{"ImpulseOfAWallNotKept", "ledger_kept.cl", "force = (real4)(f, 0)", "force = (real4)(0)",
                 "drum_spin_up"},
     KernelFault{"ForceOfAWallHasNoArm", "ledger_kept.cl", "(moment + a.couple", "(a.couple", "drum_spin_up"},
