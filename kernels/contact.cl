@@ -12,7 +12,9 @@ INLINE Push press(World w, Load* load, ContactPoint c, PairLaw law) {
   const real3 stretching = stretching_slip(w, c, slip), moved = stretching * c.duration;
   const Turn turn = turn_of(w, c, law, rise, turnover, slip, stretching);
   const real held_by = holding(w, pressing);
-  const Strain strain = {moved, damped, c.normal, held_by, c.overlap, c.root_mass, c.share, turnover, turn};
+  const real3 taken = turnover.followed ? turnover.now : damped;
+  const Strain strain = {moved, taken, c.normal, held_by, c.overlap, c.root_mass, c.share, turnover, turn};
+  bend_friction(w, c, law, strain, pressing, &load->account);
   stretch_spring(&rubbing, c.memory, strain, law, rise, &load->account);
   const real3 torque = torque_of(rubbing, c.arm, c.normal);
   turn_body(&load->turning, torque);

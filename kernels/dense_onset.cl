@@ -10,41 +10,10 @@ typedef struct {
   Vectors rub, rubbed;    // impulse of friction; friction at the last boundary
 } Onset;
 
-// How contacts stood at the last boundary: their velocities were those of the middle less what led on to the prediction.
-typedef struct {
-  reals overlap, rate, force;
-  Vectors slip;
-} Before;
-
 // What a contact leaves of a predicted rate: 1 + c over 1 + c + κ.
 INLINE reals refinement(real step, reals mobility, real stiffness, reals damping) {
   const reals braked = fma((real)0.5f * step * damping, mobility, (reals)(1));
   return braked / fma((reals)((real)0.5f * step * step * stiffness), mobility, braked);
-}
-
-INLINE Swing swing_of(PairLaw law, reals root_mass, int terms) {
-  const reals mobility = 1 / (root_mass * root_mass);
-  const Swing s = {law.stiffness * mobility, dashpot_of(law, root_mass) * mobility, terms};
-  return s;
-}
-
-INLINE reals full_force(reals overlap, reals rate, PairLaw law, reals root_mass) {
-  return fma((reals)(law.stiffness), overlap, dashpot_of(law, root_mass) * rate);
-}
-
-INLINE Before before_step(Meeting m, PairLaw law, real step) {
-  const reals middle = -inner(m.middle_velocity, m.normal), now = -inner(m.velocity, m.normal);
-  const reals overlap = fma((reals)(-step), middle, m.overlap);
-  Before b;
-  b.overlap = overlap > 0 ? overlap : 0;
-  b.rate = middle + middle - now;
-  b.force = full_force(b.overlap, b.rate, law, m.root_mass);
-  b.slip = vectors(0, 0, 0);
-  if (FRICTION || HISTORY) {
-    const Vectors then = slip_of(m.middle_velocity, -middle, m.middle_sweep, m.normal);
-    b.slip = less(scaled(then, 2), slip_of(m.velocity, -now, m.sweep, m.normal));
-  }
-  return b;
 }
 
 INLINE flags pulling(Meeting m, PairLaw law) {
@@ -53,7 +22,7 @@ INLINE flags pulling(Meeting m, PairLaw law) {
 
 // Contacts that last and whose normal force has changed its sign since the last boundary.
 INLINE flags turning_over(Meeting m, flags was, PairLaw law, real step) {
-  const flags pulled = !(before_step(m, law, step).force > 0);
+  const flags pulled = !(pressed_before(m, law, step).force > 0);
   return m.touching & was & (pulling(m, law) ^ pulled);
 }
 
@@ -99,40 +68,50 @@ INLINE Vectors left_of(Vectors spring, Vectors slip, reals limit, Meeting m, Pai
   return spring;
 }
 
-// Of contacts that begin, at a normal rate of `rate`. Bodies may slide from the touch on.
-INLINE void rub_from_the_touch(Meeting* m, Onset* o, PairLaw law, reals rate, Vectors* spring) {
+// Of contacts that begin, at a normal rate of `rate`. Bodies may slide from the touch on; the slip has since gained by
+// a part of `gain`.
+INLINE void rub_from_the_touch(Meeting* m, Onset* o, PairLaw law, reals rate, Vectors gain, real step,
+                               Vectors* spring) {
   const Vectors none = vectors(0, 0, 0);
   const Vectors slip = slip_of(m->velocity, inner(m->velocity, m->normal), m->sweep, m->normal);
+  const Vectors gained = HISTORY && bends(law) ? scaled(gain, o->time * (1 / step)) : none;
   const reals first_force = dashpot_of(law, m->root_mass) * rate;
-  const Vectors first = left_of(none, slip, law.sliding * magnitudes(first_force), *m, law);
+  const Vectors first = left_of(none, less(slip, gained), law.sliding * magnitudes(first_force), *m, law);
   const Vectors rub = rubbing_over(first, slip, o->time, o->impulse, *m, law), change = scaled(rub, m->mobility);
   o->rub = chosen(o->begins, rub, o->rub);
   *spring = chosen(o->begins, first, *spring);
-  m->stretching = chosen(o->begins, plus_scaled(slip, change, (reals)(0.5f)), m->stretching);
+  m->stretching = chosen(o->begins, plus_scaled(slip, less(change, gained), (reals)(0.5f)), m->stretching);
   m->duration = o->begins ? o->time : m->duration;
   m->foreseen_slip = o->begins ? 1 : m->foreseen_slip;
   m->velocity = chosen(o->begins, plus_scaled(m->velocity, change, (reals)(1)), m->velocity);
 }
 
 // Of contacts that end.
-INLINE void rub_to_the_end(Meeting m, Onset* o, Before b, Flow f, PairLaw law, Swing swing, Vectors spring) {
+INLINE void rub_to_the_end(Meeting m, Onset* o, Before b, Flow f, PairLaw law, Swing swing, Vectors spring, real step) {
   const Vectors held = HISTORY ? turned_springs(spring, m.normal, law.history) : spring;
-  const reals pressed = pressing_impulse(b, o->time, f, law, swing, m.root_mass);
-  o->rub = chosen(o->ends, rubbing_over(held, b.slip, o->time, pressed, m, law), o->rub);
+  if (HISTORY && bends(law)) {
+    o->rub = chosen(o->ends, rub_of_bent_end(m, o->ends, b, f, o->time, law, swing, held, step), o->rub);
+  } else {
+    const reals pressed = pressing_impulse(b, o->time, f, law, swing, m.root_mass);
+    o->rub = chosen(o->ends, rubbing_over(held, b.slip, o->time, pressed, m, law), o->rub);
+  }
   o->rubbed = chosen(o->ends, rubbing_of(held, b.slip, b.force, m, law), o->rubbed);
 }
 
-// Where the normal force has changed its sign since the last boundary, the Coulomb limit has passed 0.
-INLINE void turn_over(Meeting* m, flags was, PairLaw law, Vectors* spring, real step) {
+// Where the normal force has changed its sign since the last boundary, the Coulomb limit has passed 0. Returns what
+// friction did until then, where it is followed.
+INLINE Vectors turn_over(Meeting* m, flags turns, PairLaw law, Vectors* spring, real step) {
   const Before b = before_step(*m, law, step);
   const reals separating = inner(m->velocity, m->normal);
   const reals now = full_force(m->overlap, -separating, law, m->root_mass);
-  const flags turns = turning_over(*m, was, law, step);
   const Vectors slip = slip_of(m->velocity, separating, m->sweep, m->normal);
+  m->lasts = m->lasts & ~turns;
+  if (bends(law) && law.lowest < 0)
+    return follow_through_zero(m, turns, b, now, slip, law, spring, step);
   *spring = chosen(turns, left_of(*spring, slip, (reals)(0), *m, law), *spring);
   m->stretching = chosen(turns, slip, m->stretching);
   m->duration = turns ? step * now / (now - b.force) : m->duration;
-  m->lasts = m->lasts & ~turns;
+  return vectors(0, 0, 0);
 }
 
 // Of contacts that begin, overlap and rate become those that the exact motion has come to.
@@ -157,12 +136,12 @@ INLINE Onset onset_of(Meeting* m, flags was, PairLaw law, Vectors* spring, real 
   o.moment = -mass * f.way;
   if (law.lowest == 0) o.impulse = (o.begins & (o.impulse < 0)) ? 0 : o.impulse;
   o.moment = o.ends ? fma(step - o.time, o.impulse, o.moment) : o.moment;
-  if ((FRICTION || HISTORY) && any_of(o.ends)) rub_to_the_end(*m, &o, b, f, law, swing, *spring);
+  if ((FRICTION || HISTORY) && any_of(o.ends)) rub_to_the_end(*m, &o, b, f, law, swing, *spring, step);
   const reals change = -inner(m->velocity, m->normal) - (rate + f.gain);
   m->velocity = chosen(o.begins, plus_scaled(m->velocity, m->normal, change), m->velocity);
   m->overlap = o.begins ? m->overlap + f.way : m->overlap;
   m->foreseen = o.begins ? 1 : m->foreseen;
-  if ((FRICTION || HISTORY) && any_of(o.begins)) rub_from_the_touch(m, &o, law, rate, spring);
+  if ((FRICTION || HISTORY) && any_of(o.begins)) rub_from_the_touch(m, &o, law, rate, b.gain, step, spring);
   return o;
 }
 

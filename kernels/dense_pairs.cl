@@ -126,63 +126,65 @@ INLINE int give_row(Dense d, size_t place, int* mark) {
   return 0;
 }
 
-// Between particles that are all alike, the same for all contacts.
-typedef struct {
-  real rate, slip;
-} Alike;
-#define ARMS_VARY (ROTATION && (HISTORY_VARIANT & ARM_SHORTENED))
-
 INLINE real alike_refinement(real mobility, real stiffness, real damping, real step) {
   const real braked = 1 + (real)0.5f * step * mobility * damping;
   return braked / (braked + (real)0.5f * step * step * mobility * stiffness);
 }
 
+INLINE Untrue alike_untrue(real mobility, real stiffness, real damping, real step) {
+  const real braked = (real)0.5f * step * mobility * damping, swings = (real)0.25f * step * step * mobility * stiffness;
+  const real refined = alike_refinement(mobility, stiffness, damping, step);
+  const Untrue u = {refined - (1 - swings) / (1 + braked), (swings - braked) / (1 + braked)};
+  return u;
+}
+
 INLINE Alike alike_of(Dense d, PairLaw law, real step) {
   const real4 body = d.box->body;
   const real along = 2 * body.y, across = along + (ROTATION ? 2 * body.x * body.x * body.z : 0);
+  const real damping = law.damping + law.damping_root_mass * body.w;
+  const real spring_damping = law.spring_damping + law.spring_damping_root_mass * body.w;
   Alike a;
-  a.rate = alike_refinement(along, law.stiffness, law.damping + law.damping_root_mass * body.w, step);
-  a.slip = alike_refinement(across, law.spring, law.spring_damping + law.spring_damping_root_mass * body.w, step);
+  a.mobility = across;
+  a.rate = alike_refinement(along, law.stiffness, damping, step);
+  a.slip = alike_refinement(across, law.spring, spring_damping, step);
+  a.untrue_rate = alike_untrue(along, law.stiffness, damping, step);
+  a.untrue_slip = alike_untrue(across, law.spring, spring_damping, step);
   return a;
 }
 
-// Whether contacts begin, end or let go.
-INLINE bool any_event(Meeting m, flags was, PairLaw law, real duration) {
-  if (!CORRECTED || !(duration > 0)) return false;
-  flags some = m.touching ^ was;
-  if (law.lowest == 0) some = some | (m.touching & was & pulling(m, law));
-  return any_of(some);
-}
-
 // Contacts act, those that begin or end for as long as they last.
-INLINE void press(Dense d, Push* total, Meeting m, flags was, bool event, PairLaw law, Vectors* spring, real duration) {
+INLINE void press(Dense d, Push* total, Meeting m, flags was, Happening h, PairLaw law, Vectors* spring, real duration) {
   if (CORRECTED) m.lasts = duration > 0 ? m.touching & was : m.touching & ~m.touching;
   Onset o;
-  if (event) o = onset_of(&m, was, law, spring, duration, d.box->zones.w);
-  const bool turns = HISTORY && CORRECTED && duration > 0 && any_of(turning_over(m, was, law, duration));
-  if (turns) turn_over(&m, was, law, spring, duration);
-  const Grasp g = push(total, m, law, spring);
-  if (event) correct(total, m, o, g, duration);
+  if (h.event) o = onset_of(&m, was, law, spring, duration, d.box->zones.w);
+  Vectors rub = m.normal;
+  if (h.turned) rub = turn_over(&m, h.turns, law, spring, duration);
+  const Grasp g = push(total, m, law, spring, duration);
+  if (h.event) correct(total, m, o, g, duration);
+  if (h.turned) end_turnover(total, m, h.turns, rub, g, law, duration);
 }
 
-INLINE Vectors flat_against(Vectors v, Vectors normal) { return plus_scaled(v, normal, -inner(v, normal)); }
-
-// By the slip in the middle of the step, where spheres that roll round each other have another normal: `turn` is half a
-// step over their distance.
+// By the slip in the middle of the step, multiplied out (integrators.12): spheres that roll round each other have another
+// normal there. `turn` is half a step over their distance.
 INLINE void stretch_by_middles(Meeting* m, reals turn) {
-  const Vectors v = m->middle_velocity, around = flat_against(v, m->normal);
-  const Vectors normal = plus_scaled(m->normal, around, -turn);
-  if (CORRECTED) m->round = scaled(around, turn);
-  const Vectors sliding = ROTATION ? less(v, outer(m->middle_sweep, normal)) : v;
-  m->stretching = flat_against(flat_against(sliding, normal), m->normal);
+  const Vectors v = m->middle_velocity, normal = m->normal;
+  const reals separating = inner(v, normal);
+  m->around = plus_scaled(v, normal, -separating);
+  m->turn = turn;
+  m->closer = turn * inner(m->around, m->around);
+  m->stretching = scaled(m->around, fma(turn, separating - m->closer, (reals)(1)));
+  if (!ROTATION) return;
+  const Vectors sweep = plus_scaled(m->middle_sweep, m->around, turn * inner(m->middle_sweep, normal));
+  m->stretching = less(m->stretching, outer(sweep, normal));
 }
 
 // What contacts leave of predicted rates and slips.
 INLINE void foresee(Meeting* m, reals mobility, PairLaw law, Alike alike, real duration) {
+  m->alike = alike;
   m->foreseen = alike.rate;
   m->foreseen_slip = alike.slip;
   if (VARIED) m->foreseen = refinement(duration, mobility, law.stiffness, dashpot_of(law, m->root_mass));
-  if (VARIED || ARMS_VARY)
+  if (!ALL_ALIKE)
     m->foreseen_slip = refinement(duration, m->mobility, law.spring, spring_dashpot_of(law, m->root_mass));
 }
 
@@ -252,17 +254,18 @@ INLINE int meet_slot(Dense d, Push* total, Bodies b, int slot, PairLaw law, Alik
     m.mobility = mobility;
     if (ROTATION)
       m.mobility = fma(m.arm * m.arm, inverse_inertia_of(d, b.inverse_mass, b.radius), fma(other_arm * other_arm, other, mobility));
+    if (ALL_ALIKE) m.mobility = (reals)(alike.mobility);
     foresee(&m, mobility, law, alike, duration);
   }
   if (PREDICTED && HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
   m.rolls = true;
   if (PREDICTED && HISTORY) stretch_by_middles(&m, d.box->time.y * nearness);
-  const bool event = any_event(m, was, law, duration);
-  if (event && !HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
+  const Happening h = happening_to(m, was, law, duration);
+  if (h.event && !HISTORY) compare_middles(d, &m, b, motion, turning, other_arm, entry);
   Vectors spring = springs_before(d, mark);
-  press(d, total, m, was, event, law, &spring, duration);
+  press(d, total, m, was, h, law, &spring, duration);
   keep_springs(d, place, mark, spring);
-  if (CORRECTED && (event || !(duration > 0))) note_touches(d, place, touched, m.touching);
+  if (CORRECTED && (h.event || !(duration > 0))) note_touches(d, place, touched, m.touching);
   const bool too_deep = any_of(m.overlap > d.box->limits.x * (radius < b.radius ? radius : b.radius));
   return heard | (too_deep ? OVERLAPS_TOO_MUCH : 0);
 }
@@ -271,7 +274,7 @@ INLINE int meet_pairs(Dense d, Push* total, Bodies b, real duration) {
   const int own = d.box->counts.w;
   PairLaw law = d.laws[own * d.box->counts.z + own];
   law.history = HISTORY_VARIANT;
-  Alike alike = {1, 1};
+  Alike alike = {1, 1, 0, {0, 0}, {0, 0}};
   if (CORRECTED) alike = alike_of(d, law, duration);
   const int4 head = d.heads[b.group];
   int heard = 0;

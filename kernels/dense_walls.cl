@@ -53,11 +53,11 @@ INLINE int meet_plane(Dense d, Push* total, Bodies b, Places p, const global Den
     m.foreseen = refinement(duration, b.inverse_mass, law.stiffness, dashpot_of(law, m.root_mass));
     if (HISTORY) m.foreseen_slip = refinement(duration, m.mobility, law.spring, spring_dashpot_of(law, m.root_mass));
   }
-  const bool event = any_event(m, was, law, duration);
+  const Happening h = happening_to(m, was, law, duration);
   Vectors spring = springs_before(d, mark);
-  press(d, total, m, was, event, law, &spring, duration);
+  press(d, total, m, was, h, law, &spring, duration);
   keep_springs(d, place, mark, spring);
-  if (CORRECTED && (event || !(duration > 0))) note_touches(d, place, touched, m.touching);
+  if (CORRECTED && (h.event || !(duration > 0))) note_touches(d, place, touched, m.touching);
   return any_of(m.overlap > d.box->limits.x * b.radius) ? OVERLAPS_TOO_MUCH : 0;
 }
 

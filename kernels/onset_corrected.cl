@@ -13,19 +13,6 @@ typedef struct {
 
 INLINE bool was_touching(const global real4* memory) { return memory->w != 0; }
 
-// The rate of the overlap and the slip in the middle of the step that has led here.
-INLINE real half_rate_of(World w, ContactPoint c, real3* slip) {
-  const real3 other = c.other >= 0 ? w.middles[c.other].xyz : c.surface;
-  const real3 velocity = w.middles[c.self].xyz - other;
-  const real separating = velocity.x * c.normal.x + velocity.y * c.normal.y + velocity.z * c.normal.z;
-  *slip = velocity - separating * c.normal - rolling_in(w.spin_middles, c.self, c.arm, c.other, c.other_arm, c.normal);
-  return -separating;
-}
-
-INLINE real separating_rate(ContactPoint c) {
-  return c.velocity.x * c.normal.x + c.velocity.y * c.normal.y + c.velocity.z * c.normal.z;
-}
-
 // What the rate becomes by what the contact itself will do in the half step to come; 1 + c over 1 + c + κ.
 INLINE real refinement(real step, real inverse_mass, real stiffness, real damping) {
   const real braked = 1 + (real)0.5 * step * damping * inverse_mass;
@@ -48,19 +35,20 @@ INLINE real3 rubbing_over(real time, real3 way, real3 spring, real pressed, real
          gripping((spring + (real)0.5 * way) * time, damping * way, stiffness, law.sliding * pressed, law);
 }
 
-// Of a contact that begins, what friction has done: the slip becomes that after it.
-INLINE void rub_from_the_touch(World w, ContactPoint* c, PairLaw law, Onset* o, real rate, real pressed) {
+// Of a contact that begins, what friction has done: the slip, which has `gained` since the touch, becomes that after
+// it.
+INLINE void rub_from_the_touch(World w, ContactPoint* c, PairLaw law, Onset* o, real rate, real pressed, real3 gained) {
   const Rise rise = rise_of(c->overlap, c->radius, law);
   const real3 slip = c->velocity - separating_rate(*c) * c->normal - c->rolling;
   c->turnover.since = o->time;
-  c->turnover.slip = slip_at_touch(slip, law);
+  c->turnover.slip = slip_at_touch(slip - gained, law);
   c->turnover.limit = law.sliding * magnitude(full_force(0, -rate, law, c->root_mass, rise_of(0, c->radius, law)));
   const real stiffness = law.spring * rise.factor, damping = spring_damping_of(law, c->root_mass, rise);
   const real3 first = left_of(damping * c->turnover.slip, stiffness, c->turnover.limit, law);
   o->rub = rubbing_over(o->time, slip * o->time, first, pressed, stiffness * spring_share(law, true),
                         damping * damping_share(law), *c, law);
   const real3 change = o->rub * (c->inverse_mass + turning_mobility(w, c->self, c->arm, c->other, c->other_arm));
-  c->turnover.way = (slip + (real)0.5 * change) * o->time;
+  c->turnover.way = (slip + (real)0.5 * (change - gained)) * o->time;
   c->velocity += change;
 }
 
@@ -75,12 +63,13 @@ INLINE Onset onset_of(World w, ContactPoint* c, PairLaw law) {
   o.begins = true;
   o.time = within_step ? c->overlap / middle : step;
   const real rate = within_step ? middle : c->overlap / step;
+  const real3 gained = bends(law) ? before_step(w, *c, law).gain * (o.time / step) : (real3)(0);
   const Begun b = begun(rate, o.time, step, law, c->root_mass, c->radius);
   o.impulse = b.impulse;
   o.moment = b.moment;
   c->velocity -= (separating_rate(*c) + rate + b.gain) * c->normal;
   c->overlap += b.way;
-  rub_from_the_touch(w, c, law, &o, rate, b.pressed);
+  rub_from_the_touch(w, c, law, &o, rate, b.pressed, gained);
   c->duration = o.time;
   c->foresight = 0;
   return o;
@@ -102,18 +91,6 @@ INLINE void correct_onset(World w, ContactPoint c, PairLaw law, Onset o, Push pu
                  ((real)0.5 * o.time - half_step) * push.rolled);  // grows from nothing
 }
 
-INLINE Before before_step(World w, ContactPoint c, PairLaw law) {
-  const real separating = separating_rate(c);
-  real3 slip;
-  const real middle = half_rate_of(w, c, &slip);
-  Before b;
-  b.overlap = greater_of(c.overlap - w.constants->time.x * middle, 0);
-  b.rate = middle + middle + separating;
-  b.slip = slip + slip - (c.velocity - separating * c.normal - c.rolling);
-  b.force = full_force(b.overlap, -b.rate, law, c.root_mass, rise_of(b.overlap, c.radius, law));
-  return b;
-}
-
 // Rolling resistance at the last boundary, before it is wound any further.
 INLINE Rolling rolling_before(ContactPoint c, PairLaw law, Before b, Rise rise) {
   const real3 spin = c.winding + c.winding - c.spin;
@@ -132,8 +109,10 @@ INLINE void let_go(World w, ContactPoint c, PairLaw law, Before b, Account* acco
   const real stiffness = law.spring * rise.factor, damping = spring_damping_of(law, c.root_mass, rise);
   const real3 before = friction_force(b.slip, b.force, law, c.root_mass) -
                        gripping(spring, damping * b.slip, stiffness, law.sliding * magnitude(b.force), law);
-  const real3 rubbing = rubbing_over(e.time, b.slip * e.time, spring, e.pressed, stiffness * spring_share(law, false),
-                                     damping * damping_share(law), c, law);
+  const real share = spring_share(law, false), damped_share = damping_share(law);
+  const real3 rubbing = bends(law) ? rub_to_the_end(w, c, law, b, e.time, spring)
+                                   : rubbing_over(e.time, b.slip * e.time, spring, e.pressed, stiffness * share,
+                                                  damping * damped_share, c, law);
   add_correction(w, c, account, (e.impulse - half_step * b.force) * c.normal,
                  (e.moment - step * half_step * b.force) * c.normal, rubbing - half_step * before,
                  (step - (real)0.5 * e.time) * rubbing - step * half_step * before,
@@ -155,8 +134,19 @@ INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real3 slip, Ac
   if ((b.force > 0) == (now > 0)) return t;
   if (law.lowest == 0 && b.force > 0) let_go(w, c, law, b, account);
   if (!springs) return t;
+  if (bends(law) && law.lowest < 0) return followed_turnover(w, c, law, b, now);
   t.since = w.constants->time.x * now / (now - b.force);
   t.slip = slip;
   t.way = slip * t.since;
   return t;
+}
+
+// Of a contact that has lasted through the step, before its spring is stretched.
+INLINE void bend_friction(World w, ContactPoint c, PairLaw law, Strain s, real pressing, Account* account) {
+  const Turnover t = s.turnover;
+  if (!(c.foresight > 0) || !bends(law) || (t.since >= 0 && !t.followed)) return;
+  const real3 rub = t.followed ? rub_of_turnover(c, law, t, pressing, w.constants->time.x)
+                               : rub_of_bend(w, c, law, s, pressing);
+  if (rub.x == 0 && rub.y == 0 && rub.z == 0) return;
+  add_correction(w, c, account, (real3)(0), (real3)(0), rub, (real3)(0), (real3)(0));
 }

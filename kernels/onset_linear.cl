@@ -15,7 +15,7 @@ typedef struct {
 // How a contact stood at the last boundary: its velocities were those of the middle less what led on to the prediction.
 typedef struct {
   real overlap, rate;
-  real3 slip;
+  real3 slip, gain;  // and what accelerations would have made of it in the step
   real force;
 } Before;
 

@@ -15,3 +15,4 @@ INLINE void end_contact(World w, ContactPoint c, PairLaw law, Account* account) 
 INLINE Turnover turnover_of(World w, ContactPoint c, PairLaw law, real3 slip, Account* account) {
   return no_turnover();
 }
+INLINE void bend_friction(World w, ContactPoint c, PairLaw law, Strain s, real pressing, Account* account) {}

@@ -7,8 +7,7 @@ INLINE Turn turn_of(World w, ContactPoint c, PairLaw law, Rise rise, Turnover t,
   const real damping = spring_damping_of(law, c.root_mass, rise);
   turn.earlier = refined_slip(w, c, stretching + stretching - slip, law.spring * rise.factor, damping);
   if (c.other < 0) return turn;
-  const real3 velocity = w.middles[c.self].xyz - w.middles[c.other].xyz;
   turn.rolls = true;
-  turn.round = flat_against(velocity, c.normal) * (w.constants->time.y / c.apart);
+  turn.round = half_way_round(w, c);
   return turn;
 }

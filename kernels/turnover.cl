@@ -7,6 +7,8 @@ typedef struct {
   real3 slip;  // then
   real3 way;   // of the slip since then
   real limit;
+  bool followed;   // friction too, kernels/onset_bend.cl:
+  real3 now, rub;  // slip at the boundary; impulse until then, less what the plain scheme has of the last boundary
 } Turnover;
 
 // How a contact that has lasted through the whole step has turned in it, where the integrator follows that.
@@ -18,6 +20,6 @@ typedef struct {
 } Turn;
 
 INLINE Turnover no_turnover() {
-  const Turnover t = {-1, (real3)(0), (real3)(0), 0};
+  const Turnover t = {-1, (real3)(0), (real3)(0), 0, false, (real3)(0), (real3)(0)};
   return t;
 }

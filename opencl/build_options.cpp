@@ -153,6 +153,8 @@ std::vector<std::string> contact_files(const BuildOptions& o) {
           "onset_linear.cl",
           o.hertz ? "onset_hertz.cl" : "onset_by_linear.cl",
           o.ledger ? "onset_booked.cl" : "onset_unbooked.cl",
+          "onset_before.cl",
+          o.history ? "onset_bend.cl" : "onset_bend_none.cl",
           "onset_corrected.cl",
           o.history ? "turn_followed.cl" : "turn_none.cl",
           "contact.cl"};

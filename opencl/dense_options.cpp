@@ -135,10 +135,10 @@ std::vector<std::string> dense_kernel_files(const DenseOptions& o, bool pocl) {
   add({"dense_roots.cl", "dense_box.cl", o.canonical ? "dense_sum_canonical.cl" : "dense_sum_fast.cl",
        "dense_contact.cl"});
   if (o.corrected)
-    add({"dense_flow.cl", "dense_onset.cl"});
+    add({"dense_flow.cl", "dense_before.cl", "dense_bend.cl", "dense_slide.cl", "dense_onset.cl"});
   else
     add({"dense_onset_none.cl"});
-  add({"dense_springs.cl", "dense_pairs.cl", "dense_walls.cl",
+  add({"dense_hold.cl", "dense_springs.cl", "dense_pairs.cl", "dense_walls.cl",
        o.one ? "dense_shares_none.cl" : "dense_shares.cl", "dense_step.cl", "dense_order.cl", "dense_near.cl",
        "dense_pack.cl"});
   if (o.one)

@@ -25,13 +25,16 @@ Vec3 BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::begin(const Pai
   const Vec3 slip = slip_at(point);
   const double rate = -half_step_velocity<turning>(this->bodies_, meet, arms).dot(meet.normal);
   const auto [state, push] = PartialContact(laws, point, now_.step).beginning({meet.overlap, rate});
-  const Vec3 spring = spring_at_touch(laws, point, slip, meet.overlap / push.lasted);
+  Vec3 slip_then = slip;  // at the touch
+  if (bends(laws))
+    slip_then -= (push.lasted / now_.step) * before_parting(laws, meet, arms, point.effective_mass).gain;
+  const Vec3 spring = spring_at_touch(laws, point, slip_then, meet.overlap / push.lasted);
   point.overlap = state.overlap;
   const ShearShare share = laws.hertz.present() ? hertz_shear_of_a_beginning : ShearShare{};
   const Vec3 rub = friction_impulse(laws, point, slip, spring, push, share);
   const Vec3 slip_now = slip + rub * inverse_sliding_mass(meet, arms);
   point.relative_velocity = slip_now - state.rate * meet.normal;
-  ContactSprings springs{.displacement = spring + (slip + slip_now) * (0.5 * push.lasted)};
+  ContactSprings springs{.displacement = spring + (slip_then + slip_now) * (0.5 * push.lasted)};
   const ContactForce force = contact_force(laws, point, 0.0, springs);
   const double half = 0.5 * now_.step;
   OnsetEvent event{meet, arms, (push.impulse - half * force.normal) * meet.normal,

@@ -6,6 +6,7 @@
 
 #include "reference_cpu/contact_loops.hpp"
 #include "reference_cpu/onset/beginning.hpp"
+#include "reference_cpu/onset/bends.hpp"
 #include "reference_cpu/onset/parting.hpp"
 
 namespace grainproof::reference {

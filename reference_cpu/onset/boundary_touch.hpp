@@ -3,27 +3,13 @@
 #pragma once
 #include <type_traits>
 
+#include "reference_cpu/onset/before_step.hpp"
 #include "reference_cpu/onset/boundary_step.hpp"
 #include "reference_cpu/onset/half_step.hpp"
 #include "reference_cpu/onset/partial_contact.hpp"
 #include "reference_cpu/touch.hpp"
 
 namespace grainproof::reference {
-
-/// Share of the predicted velocity that a dashpot sees, once the spring beside it has had its say:
-/// (1 + c)/(1 + c + κ) (docs/laws/integrators.md).
-inline double refined_share(double stiffness, double damping, double inverse_mass, double step) {
-  const double twice = 0.5 * step * inverse_mass;
-  const double with_damping = 1.0 + twice * damping;
-  return with_damping / (with_damping + twice * step * stiffness);
-}
-
-/// Where two bodies stood at the start of the step in which they parted.
-struct BeforeParting {
-  ContactPoint point;
-  Vec3 slip;
-  Vec3 rolling;  ///< spin of body 2 over body 1, as rolling resistance takes it, rad/s
-};
 
 /// Any laws, evaluated with the velocities predicted for the step boundary. With `corrects`, contacts that
 /// begin act for the time they have lasted, and all are remembered: by the history, or where no law keeps
@@ -111,51 +97,42 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
     ContactResponse now = linear_response(laws, point, std::sqrt(point.effective_mass));
     refine(laws.normal.stiffness, inverse_mass(meet), now);
     refine_shear(meet, arms, now);
+    if (may_let_go(laws.normal.stiffness, -separating, inverse_mass(meet), now)) [[unlikely]]
+      return last_aside(laws, meet, arms, point, kept);
     ContactForce force{laws.normal.force(point.overlap, separating, now.damping), Vec3::Zero()};
     ContactSprings springs{.displacement = kept.displacement};
-    if (may_let_go(laws.normal.stiffness, -separating, inverse_mass(meet), now)) [[unlikely]] {
-      const Rubbed past = friction_past_zero(laws, meet, arms, point, force.normal, now.shear, kept);
-      force.friction = past.friction;
-      springs.displacement = past.spring;
-    } else {
-      force.friction = friction_over_step(laws, meet, arms, slip, force.normal, now.shear, springs);
-    }
+    force.friction = friction_over_step(laws, meet, arms, point, slip, force.normal, now.shear, springs);
     if constexpr (turning) this->twist(meet, arms, meet.normal.cross(force.friction));
     this->log_.contact(laws, meet, arms, point, force, springs);
     memory_.keep(this->memory_key(meet), meet.second, springs);
     return force.normal * meet.normal + force.friction;
   }
 
-  struct Rubbed {
-    Vec3 friction;
-    Vec3 spring;  ///< what is left of it, m
-  };
-  [[gnu::noinline]] Rubbed friction_past_zero(const PairLaws& laws, Encounter meet, TorqueArms arms,
-                                              ContactPoint point, double normal, ShearResponse shear,
-                                              ContactSprings springs) {
-    const Crossing crossing = pass_zero(laws, meet, arms, point, springs);
-    const Vec3 slip = slip_at(point);
-    springs = crossing.springs;
-    const Vec3 friction =
-        crossing.passed ? spring_friction(laws, point, slip, normal, shear, slip * crossing.elapsed, springs)
-                        : friction_over_step(laws, meet, arms, slip, normal, shear, springs);
-    return {friction, springs.displacement};
+  [[gnu::noinline]] Vec3 last_aside(const PairLaws& laws, Encounter meet, TorqueArms arms, ContactPoint point,
+                                    ContactSprings springs) {
+    return last(laws, meet, arms, point, springs);
   }
 
-  /// Of a spring that has lasted through the step.
+  /// In the plane of now, of a spring that has lasted through the step.
+  Vec3 carried(const PairLaws& laws, const Encounter& meet, const Vec3& spring) const {
+    if (meet.with_wall()) return laws.spring.turned(spring, meet.normal);
+    return in_plane(spring, meet.normal) + carried_round(this->bodies_, meet, spring, now_.step);
+  }
+
   Vec3 friction_over_step(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
-                          const Vec3& slip, double normal, const ShearResponse& shear,
-                          ContactSprings& springs) const {
-    const Vec3 moved = moved_in(meet, arms), held = springs.displacement;
-    if (meet.with_wall())
-      springs.displacement = laws.spring.turned(held, meet.normal) + moved;
-    else
-      springs.displacement =
-          in_plane(held, meet.normal) + carried_round(this->bodies_, meet, held, now_.step) + moved;
-    return laws.spring.force_over_step(springs.displacement, moved, slip, normal, shear, now_.step);
+                          const ContactPoint& point, const Vec3& slip, double normal,
+                          const ShearResponse& shear, ContactSprings& springs) {
+    const Vec3 held = carried(laws, meet, springs.displacement), moved = moved_in(meet, arms);
+    const Vec3 stretched = held + moved;
+    springs.displacement = stretched;
+    const Vec3 friction =
+        laws.spring.force_over_step(springs.displacement, moved, slip, normal, shear, now_.step);
+    if (springs.displacement != stretched && bends(laws))
+      add_bend(laws, meet, arms, point, held, stretched, shear, normal);
+    return friction;
   }
 
-  Vec3 last(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, const ContactPoint& point,
+  Vec3 last(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, ContactPoint point,
             ContactSprings springs) {
     const double root_mass = std::sqrt(point.effective_mass);
     ContactResponse now = response(laws, point, root_mass);
@@ -164,25 +141,26 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
       refine(stiffness_now(laws, point, now), inverse_mass(meet), now);
       if (laws.spring.present()) refine_shear(meet, arms, now);
     }
-    double elapsed = this->history_.elapsed();
-    bool lasted = now_.started;
+    Crossing crossing{.elapsed = this->history_.elapsed(), .passed = !now_.started};
     if constexpr (corrects)
       if (now_.started && may_let_go(laws, meet, point, now)) {
-        const Crossing crossing = pass_zero(laws, meet, arms, point, springs);
-        elapsed = crossing.elapsed;
+        crossing = pass_zero(laws, meet, arms, point, springs);
         springs = crossing.springs;
-        lasted = !crossing.passed;
+        if (crossing.followed) follow(laws, crossing, point, now);
       }
+    const double elapsed = crossing.elapsed;
     const auto of_spring = [&](const Vec3& slip, double normal) -> Vec3 {
       if constexpr (corrects)
-        if (lasted) {
+        if (!crossing.passed) {
           keep_force(laws, point, springs);
-          return friction_over_step(laws, meet, arms, slip, normal, now.shear, springs);
+          return friction_over_step(laws, meet, arms, point, slip, normal, now.shear, springs);
         }
-      const Vec3 moved = lasted ? moved_in(meet, arms) : (slip * elapsed).eval();
+      const Vec3 moved = crossing.passed ? (slip * elapsed).eval() : moved_in(meet, arms);
       return spring_friction(laws, point, slip, normal, now.shear, moved, springs);
     };
     const ContactForce force = contact_force(laws, point, now, damping, root_mass, of_spring);
+    if constexpr (corrects)
+      if (crossing.followed) add_turnover(meet, arms, crossing, force.friction);
     if constexpr (turning) {
       this->twist(meet, arms, meet.normal.cross(force.friction));
       if (laws.rolling.present())
@@ -214,8 +192,11 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   /// acted for a part of the step. Rare, and given copies as begin() is.
   struct Crossing {
     double elapsed;  ///< for which the spring is stretched since, s
-    ContactSprings springs;
-    bool passed = true;  ///< else it has lasted through the step
+    ContactSprings springs = {};
+    bool passed = true;        ///< else it has lasted through the step
+    bool followed = false;     ///< friction too; then
+    Vec3 slip = Vec3::Zero();  ///< at the boundary, and
+    Vec3 rub = Vec3::Zero();   ///< what friction did until zero, less the plain scheme's in half a step, N s
   };
   [[gnu::noinline]] Crossing pass_zero(const PairLaws& laws, Encounter meet, TorqueArms arms,
                                        ContactPoint point, ContactSprings springs);
@@ -276,6 +257,27 @@ class BoundaryTouch : protected AnyTouch<turning, is_cohesive, Log> {
   /// Rare, and kept out of the loops that are flattened. Given copies, since what it could see through a
   /// reference every contact would have to hold in memory.
   [[gnu::noinline]] Vec3 begin(const PairLaws& laws, Encounter meet, TorqueArms arms, ContactPoint point);
+
+  /// Friction bends where the limit takes hold of it within a step. Told of by laws whose dashpot bends with
+  /// the spring.
+  static bool bends(const PairLaws& laws) {
+    return laws.spring.present() && !laws.hertz.present() &&
+           laws.spring.limit == CoulombLimit::spring_and_dashpot;
+  }
+  Grip grip_before(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                   const ContactPoint& point, const BeforeParting& before, const Vec3& held) const;
+  [[gnu::noinline]] void add_bend(const PairLaws& laws, Encounter meet, TorqueArms arms, ContactPoint point,
+                                  Vec3 held, Vec3 stretched, ShearResponse shear, double normal);
+  void add_turnover(const Encounter& meet, const TorqueArms& arms, const Crossing& crossing,
+                    const Vec3& friction);
+  static void follow(const PairLaws& laws, const Crossing& crossing, ContactPoint& point,
+                     ContactResponse& now);
+  Crossing follow_through_zero(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                               const ContactPoint& point, const BeforeParting& before, double last,
+                               ContactSprings springs) const;
+  Vec3 rub_to_the_end(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
+                      const BeforeParting& before, const Vec3& spring, double lasted) const;
+
   void add_ending(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,
                   const BeforeParting& before, ContactSprings springs);
   BeforeParting before_parting(const PairLaws& laws, const Encounter& meet, const TorqueArms& arms,

@@ -50,6 +50,21 @@ Vec3 moved_in_step(const Bodies& bodies, const Encounter& meet, const TorqueArms
   return along * step;
 }
 
+/// Where they touch by the normal in the middle of the step: the approach along it, and the slip laid into
+/// the plane of now, m/s.
+template <bool turning>
+Vec3 half_step_velocity_by_then(const Bodies& bodies, const Encounter& meet, const TorqueArms& arms,
+                                double step) {
+  const Vec3 velocity = half_step_approach(bodies, meet);
+  double separating = velocity.dot(meet.normal);
+  if (!meet.with_wall()) {
+    const double touching = bodies.body[meet.first].radius + bodies.body[meet.second].radius;
+    const double c = 0.5 * step / (touching - meet.overlap);
+    separating -= c * (velocity - separating * meet.normal).squaredNorm();
+  }
+  return moved_in_step<turning>(bodies, meet, arms, step) / step + separating * meet.normal;
+}
+
 /// What parallel transport of a spring has over laying it into the plane of now: (ζ·n) c w (integrators.35).
 inline Vec3 carried_round(const Bodies& bodies, const Encounter& meet, const Vec3& spring, double step) {
   const Vec3 velocity = half_step_approach(bodies, meet);

@@ -70,4 +70,15 @@ Vec3 friction_impulse(const PairLaws& laws, const ContactPoint& point, const Vec
   return laws.friction.force(slip, push.mean_magnitude, now.damping, root_mass) * push.lasted;
 }
 
+Vec3 limited_impulse(const Vec3& first, const Vec3& last, double most_first, double most_last, double time) {
+  const double size = first.norm(), length = last.norm();
+  const Vec3 held = size > most_first ? (first * (most_first / size)).eval() : first;
+  Vec3 impulse = -0.5 * time * (held + last);
+  const double excess = length - most_last;
+  if (excess <= 0.0) return impulse;
+  const Vec3 along = last / length;
+  const double room = std::max(most_first - held.dot(along), 0.0);
+  return impulse + along * (0.5 * time * excess * excess / (room + excess));
+}
+
 }  // namespace grainproof::reference

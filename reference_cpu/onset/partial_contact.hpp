@@ -62,4 +62,8 @@ inline constexpr ShearShare hertz_shear_of_a_beginning{0.8, 0.8}, hertz_shear_of
 Vec3 friction_impulse(const PairLaws& laws, const ContactPoint& point, const Vec3& slip, const Vec3& spring,
                       const PartialPush& push, const ShearShare& share);
 
+/// Of friction whose spring and dashpot together go evenly from `first` to `last`, against them, as far as a
+/// limit lets them that goes evenly from `most_first` to `most_last` (integrators.21).
+Vec3 limited_impulse(const Vec3& first, const Vec3& last, double most_first, double most_last, double time);
+
 }  // namespace grainproof::reference

@@ -10,7 +10,8 @@ template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log
 BeforeParting BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::before_parting(
     const PairLaws& laws, const Encounter& meet, const TorqueArms& arms, double effective_mass) const {
   const Bodies& bodies = this->bodies_;
-  const Vec3 half = half_step_velocity<turning>(bodies, meet, arms);
+  const Vec3 half = bends(laws) ? half_step_velocity_by_then<turning>(bodies, meet, arms, now_.step)
+                                : half_step_velocity<turning>(bodies, meet, arms);
   Vec3 predicted = bodies.body[meet.second].velocity;
   predicted -= meet.with_wall() ? meet.wall_velocity : bodies.body[meet.first].velocity;
   Vec3 rolling = Vec3::Zero();
@@ -27,7 +28,8 @@ BeforeParting BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::before
   const Vec3 velocity = 2.0 * half - predicted;
   const double overlap = std::max(meet.overlap + now_.step * half.dot(meet.normal), 0.0);
   const ContactPoint point{meet.normal, overlap, velocity, effective_mass, this->effective_radius(meet)};
-  return {point, slip_at(point), rolling};
+  const Vec3 slip = slip_at(point);
+  return {point, slip, in_plane(predicted, meet.normal) - slip, rolling};
 }
 
 template <bool turning, bool is_cohesive, bool corrects, class Memory, class Log>
@@ -57,7 +59,9 @@ void BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::add_ending(cons
   if (laws.normal.no_tension && contact.force_at({point.overlap, rate}) <= 0.0) return;
   const PartialPush push = contact.ending({point.overlap, rate});
   const ShearShare share = laws.hertz.present() ? hertz_shear_of_an_ending : ShearShare{};
-  const Vec3 rub = friction_impulse(laws, point, before.slip, springs.displacement, push, share);
+  const Vec3 rub = bends(laws)
+                       ? rub_to_the_end(laws, meet, arms, before, springs.displacement, push.lasted)
+                       : friction_impulse(laws, point, before.slip, springs.displacement, push, share);
   const ContactForce force = contact_force(laws, point, 0.0, springs);
   OnsetEvent event{meet, arms, (push.impulse - half * force.normal) * meet.normal,
                    rub - half * force.friction,
@@ -81,16 +85,19 @@ auto BoundaryTouch<turning, is_cohesive, corrects, Memory, Log>::pass_zero(const
     return PartialContact(laws, at, now_.step).force_at({at.overlap, -at.relative_velocity.dot(at.normal)});
   };
   const double then = force_of(before.point), now = force_of(point);
-  if ((then > 0.0) == (now > 0.0)) return {usual, springs, false};
+  if ((then > 0.0) == (now > 0.0)) return {.elapsed = usual, .springs = springs, .passed = false};
+  const double since = now_.step * now / (now - then);
   if (laws.normal.no_tension && then > 0.0) add_ending(laws, meet, arms, before, springs);
-  if (!laws.spring.present()) return {usual, springs};
+  if (!laws.spring.present()) return {usual, springs, true};
   springs.rolling_torque.setZero();
+  if (bends(laws) && !laws.normal.no_tension)
+    return follow_through_zero(laws, meet, arms, point, before, now, springs);
   springs.displacement.setZero();
   if (laws.spring.limit == CoulombLimit::spring_and_dashpot) {
     const ShearResponse shear = response(laws, point, std::sqrt(point.effective_mass)).shear;
     springs.displacement = slip_at(point) * (-shear.damping / shear.stiffness);
   }
-  return {now_.step * now / (now - then), springs};
+  return {since, springs, true};
 }
 
 /// What is left of rolling resistance, less what the plain scheme has taken of it. A constant torque falls

@@ -23,6 +23,14 @@ void correct(Scene& scene) {
   scene.run.integrator = Integrator::onset_corrected;
 }
 
+/// Friction bends where the limit is on spring and dashpot.
+void correct_bends(Scene& scene) {
+  correct(scene);
+  ContactLaws laws = scene.contacts.at(0, 0);
+  laws.friction = HistoryFriction{0.1, 8e4, 0.5};
+  scene.contacts.set(0, 0, laws);
+}
+
 void foresee(Scene& scene) {
   scene.run.integrator = Integrator::velocity_verlet_implicit;
 }
@@ -51,6 +59,7 @@ const std::map<std::string, Rare>& rare() {
       {"predicted_turning", {"turning_liggghts", predict}},
       {"onset", {"damped_friction", correct}},
       {"onset_turning", {"turning_liggghts", correct}},
+      {"onset_bending", {"turning_liggghts", correct_bends}},
       {"predicted_hertz", {"hertz", predict}},
       {"onset_hertz", {"hertz", correct}},
       {"implicit", {"damped_friction", foresee}},

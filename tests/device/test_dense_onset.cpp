@@ -245,10 +245,11 @@ const Mistake mistakes[] = {
     {"rates_are_not_refined", "dense_pairs.cl", "m->foreseen = alike.rate;", "m->foreseen = 1;"},
     {"springs_take_the_predicted_slip", "dense_pairs.cl", "const Vectors v = m->middle_velocity,",
      "const Vectors v = m->velocity,"},
-    {"springs_do_not_roll_along", "dense_contact.cl", "-across), m.round, across);",
-     "-across), m.round, 0 * across);"},
-    {"slip_does_not_turn", "dense_contact.cl", "chosen(m.lasts, cut_along(before, limited, length, limit)",
-     "chosen(m.lasts, scaled(limited, limit / length)"},
+    {"springs_do_not_roll_along", "dense_contact.cl", "-across), m.around, across * m.turn);",
+     "-across), m.around, 0 * across);"},
+    {"slip_does_not_turn", "dense_slide.cl", "(lasts & (reached > halfway)) ? reached - halfway : 0;", "0;"},
+    {"bends_go_the_other_way", "dense_slide.cl", "(real)-0.5f * step * room", "(real)0.5f * step * room"},
+    {"turnovers_forget_the_way_there", "dense_bend.cl", "plus_scaled(rub, g.rubbing,", "scaled(g.rubbing,"},
     {"twists_are_forgotten", "dense_step.cl", "total_of(p.twist, p.torque_unit)", "vectors(0, 0, 0)"},
 };
 

@@ -106,8 +106,9 @@ TEST_F(OclgrindOnce, FindsNothingInTheDensePathByOne) {
 }
 
 TEST_F(OclgrindOnce, FindsNothingInTheDensePathOfContactsThatBeginOrEnd) {
-  for (const char* how : {"single dense onset", "double dense onset_turning",
-                          "single dense predicted_turning", "single dense_by_one predicted_turning"})
+  for (const char* how : {"single dense onset", "double dense onset_turning", "single dense onset_bending",
+                          "double dense onset_bending", "single dense predicted_turning",
+                          "single dense_by_one predicted_turning"})
     expect_clean(run_driver(checker, std::string(how) + " 16 20 pressed"));
 }
 
@@ -118,7 +119,7 @@ TEST_F(OclgrindOnce, FindsNothingInTheDensePathInCanonicalOrder) {
 }
 
 TEST_F(OclgrindOnce, FindsNothingWhereALedgerIsKept) {
-  for (const char* scene : {"leapfrog_verlet", "turning_liggghts", "drum", "onset_turning"})
+  for (const char* scene : {"leapfrog_verlet", "turning_liggghts", "drum", "onset_turning", "onset_bending"})
     expect_clean(run_driver(checker, std::string("double zoned ") + scene + " 8 8 ledger pressed"));
 }
 
@@ -146,6 +147,7 @@ struct DefinedRun {
 };
 
 constexpr DefinedRun defined_runs[] = {{"mixed", "small", "onset_turning", 2},
+                                       {"double", "small", "onset_bending", 2, true},
                                        {"double", "small", "paddle", 4, true},
                                        {"single", "small", "implicit_in_vortices", 2, true},
                                        {"single", "small", "rolling_steadily", 2, true},
@@ -263,8 +265,9 @@ TEST(OclgrindRuns, LookForValuesThatNobodyWroteInEveryKernelFileWithoutVectors) 
   std::set<std::string> run{"math_pocl.cl"};  // of another device
   for (const DefinedRun& one : defined_runs)
     for (const std::string& file : one.files()) run.insert(file);
-  for (const char* of_many : {"dense_flow.cl", "dense_list.cl", "dense_onset.cl", "dense_seek.cl",
-                              "dense_shares.cl", "wide_double_8.cl", "wide_single_16.cl"})
+  for (const char* of_many :
+       {"dense_before.cl", "dense_bend.cl", "dense_flow.cl", "dense_list.cl", "dense_onset.cl",
+        "dense_seek.cl", "dense_shares.cl", "dense_slide.cl", "wide_double_8.cl", "wide_single_16.cl"})
     run.insert(of_many);
   for (const auto& entry : std::filesystem::directory_iterator(GRAINPROOF_KERNELS))
     EXPECT_TRUE(run.contains(entry.path().filename())) << entry.path().filename();

@@ -182,6 +182,15 @@ host_fault(SpringDoesNotRollAlong FILE reference_cpu/onset/half_step.hpp CASE on
 host_fault(SlipDoesNotTurn FILE reference_cpu/laws/tangential_spring.cpp CASE onset_history OPENCL
   PRINTED "(2.0 / beyond) * rest - once"
   PLANTED "once")
+host_fault(BendTheOtherWay FILE reference_cpu/onset/bends.hpp CASE onset_history OPENCL
+  PRINTED "-0.5 * now_.step * room"
+  PLANTED "0.5 * now_.step * room")
+host_fault(TurnoverAsIfForTheWholeStep FILE reference_cpu/onset/bends.hpp CASE onset_history OPENCL
+  PRINTED "crossing.elapsed - now_.step"
+  PLANTED "0.0")
+host_fault(ImpulseBeyondTheLimit FILE reference_cpu/onset/partial_contact.cpp CASE onset_history OPENCL
+  PRINTED "most_first - held.dot(along)"
+  PLANTED "most_first + held.dot(along)")
 host_fault(ImplicitSlipOfABodyThatCannotTurn FILE reference_cpu/implicit_touch.hpp CASE oblique_schemes OPENCL
   PRINTED "arms.second * arms.second * spins[meet.second].inverse_inertia"
   PLANTED "0.0 * arms.second")
