@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Inverse roots and quotients of which the last bit may be wrong. AVX-512 estimates them to 2^-14, which one step of
+// Roots, inverse ones and quotients of which the last bit may be wrong. AVX-512 estimates them to 2^-14, which one step of
 // Newton's takes to the precision of floats, in a third of the time of its exact instructions. One particle a work-item
 // takes the same estimates, so that it gets the same bits.
 #if defined(__clang__) && defined(__AVX512F__) && PHASE_BITS == 32
@@ -38,6 +38,7 @@ INLINE reals inverses_of(reals x) {
   const reals y = inverse_estimates(x);
   return fma(y, fma(-x, y, (reals)(1)), y);
 }
+INLINE reals quick_roots_of(reals x) { return x > 0 ? x * inverse_roots_of(x) : 0; }
 // √(a/b), or 1 where b is nothing or next to it.
 INLINE reals root_ratios_of(reals a, reals b) {
   const reals ratio = a * inverses_of(b);
@@ -46,5 +47,6 @@ INLINE reals root_ratios_of(reals a, reals b) {
 #else
 INLINE reals inverse_roots_of(reals x) { return 1 / roots_of(x); }
 INLINE reals inverses_of(reals x) { return 1 / x; }
+INLINE reals quick_roots_of(reals x) { return roots_of(x > 0 ? x : 0); }
 INLINE reals root_ratios_of(reals a, reals b) { return b > 0 ? roots_of(a / b) : 1; }
 #endif
