@@ -82,7 +82,12 @@ bool is_representative(const StabilityCase& one, bool quick) {
 }
 
 double weight_of(const StabilityCase& one, const std::string& engine) {
-  return one.arrangement == "pair" && engine == "reference" ? 1.0 : 2.0;
+  const bool turns = one.friction != "none";
+  double weight = 1.0;  // a pair, a sphere on a wall, a chain
+  if (one.arrangement == "face_centred") weight = turns ? 30.0 : 4.0;
+  if (one.arrangement == "simple_cubic") weight = turns ? 40.0 : 10.0;
+  if (one.arrangement.starts_with("random")) weight = turns ? 200.0 : 40.0;
+  return engine == "reference" ? weight : weight + 20.0;  // kernels are compiled
 }
 
 std::string name_of(const StabilityCase& one, const std::string& engine, const std::string& integrator) {

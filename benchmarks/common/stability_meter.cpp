@@ -19,7 +19,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double growth_steps_per_contact = 20.0;
 constexpr double linear_bar = 0.02, friction_bar = 0.05;  // predicted against measured
-constexpr std::int64_t most_steps = 1000000, most_steps_quick = 50000;
+constexpr double most_steps = 1e6, most_steps_quick = 5e4;
+constexpr double most_body_steps = 8e6;  // so that no row takes minutes
 
 bool is_random(const StabilityCase& of) {
   return of.arrangement.starts_with("random");
@@ -32,8 +33,8 @@ double permitted(Scene scene, Integrator integrator) {
 }
 
 MeasuredRow limit_row(SteppingEngine& engine, const Scene& scene, const Prediction& prediction,
-                      std::int64_t longest) {
-  const MeasuredLimit limit = measured_limit(engine, scene, prediction, longest);
+                      double longest) {
+  const MeasuredLimit limit = measured_limit(engine, scene, prediction, static_cast<std::int64_t>(longest));
   return {{{"limit_s", limit.step()},
            {"stable_s", limit.stable},
            {"unstable_s", limit.unstable},
@@ -75,6 +76,8 @@ std::unique_ptr<SteppingEngine> StabilityMeter::take_engine(const std::string& n
     if (const auto found = engines_.find(name); found != engines_.end())
       return std::move(engines_.extract(found).mapped());
   }
+  // One at a time: while one thread starts PoCL another finds devices that are not ready.
+  const std::lock_guard alone(making_);
   auto made = app::make_engine(name, {settings_.data, "", settings_.device});
   auto* stepping = dynamic_cast<SteppingEngine*>(made.get());
   if (stepping == nullptr) throw InputRefused("found engine " + name + "; expected one that steps");
@@ -112,7 +115,8 @@ MeasuredRow StabilityMeter::limit(const std::string& name, Integrator integrator
     if (const Support support = engine.supports(scene, {}); !support)
       return {{}, "unsupported: " + support.because};
     const Prediction& prediction = prediction_of(at_rest, integrator);
-    const std::int64_t longest = settings_.quick ? most_steps_quick : most_steps;
+    const double longest = std::min(settings_.quick ? most_steps_quick : most_steps,
+                                    most_body_steps / static_cast<double>(scene.particles.size()));
     MeasuredRow row = prediction.limit() > 0.0 ? limit_row(engine, scene, prediction, longest)
                                                : growth_row(engine, scene, prediction);
     row.values["predicted_s"] = prediction.limit();

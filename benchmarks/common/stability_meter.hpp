@@ -36,7 +36,8 @@ class StabilityMeter {
   const Settings& settings_;
   MadeOnce<std::string, Scene> scenes_;
   MadeOnce<Stepping, Prediction> predictions_;
-  std::mutex mutex_;  ///< guards engines_
+  std::mutex making_;  ///< of engines
+  std::mutex mutex_;   ///< guards engines_
   std::multimap<std::string, std::unique_ptr<SteppingEngine>>
       engines_;  ///< idle, with what they have compiled
 };

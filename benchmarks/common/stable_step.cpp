@@ -35,6 +35,8 @@ Finesse finesse_of(const SteppingEngine& engine, const Scene& scene) {
 constexpr double bound = 1e4;  // of the kinetic energy
 constexpr double least_contact_times = 200.0;
 constexpr double seen_above = 1.005;  // of the predicted limit
+constexpr double farthest = 16.0;     // from it that a limit is looked for, as a factor
+constexpr double patience = 2.0;      // of the most steps, that a growth may ask for and still be waited for
 constexpr double fineness = 2.5e-3;   // of a step that is not where it was predicted
 constexpr int blocks = 64;            // after which a run that has grown ends
 /// In each: what grows until it slips changes its sign every step from then on, and at a boundary, between
@@ -82,13 +84,18 @@ bool stays_bounded(SteppingEngine& engine, Scene scene, double step, double cont
   return true;
 }
 
-/// How long a run must be to see what grows at half a percent above the prediction.
-double contact_times_for(const Prediction& prediction, double contact_time, std::int64_t most_steps) {
-  const double step = seen_above * prediction.limit();
-  const double a_step = std::log(prediction.growth(step));
-  const double most = static_cast<double>(most_steps) * step / contact_time;
-  const double wanted = a_step > 0.0 ? 1.3 * 0.5 * std::log(bound) / a_step * step / contact_time : most;
-  return std::max(least_contact_times, std::min(wanted, most));
+/// How long a run must be to see what grows at `width` times the predicted limit, in steps.
+double steps_to_see(const Prediction& prediction, double width) {
+  const double a_step = std::log(prediction.growth(width * prediction.limit()));
+  return a_step > 0.0 ? 1.3 * 0.5 * std::log(bound) / a_step : std::numeric_limits<double>::infinity();
+}
+
+/// Half a percent above the predicted limit, or more where the motion that grows there would take far longer
+/// than `most_steps` to be seen.
+double width_to_see(const Prediction& prediction, double most_steps) {
+  double width = seen_above;
+  while (steps_to_see(prediction, width) > patience * most_steps && width * width < farthest) width *= width;
+  return width;
 }
 
 analytic::Prestress prestress_of(const Scene& scene) {
@@ -154,16 +161,19 @@ double MeasuredLimit::farthest_from(double predicted) const {
 MeasuredLimit measured_limit(SteppingEngine& engine, const Scene& scene, const Prediction& prediction,
                              std::int64_t most_steps) {
   const Scene start = perturbed(scene, finesse_of(engine, scene).share * least_slack(scene));
-  const double contact_times = contact_times_for(prediction, contact_time_of(scene), most_steps);
+  const auto most = static_cast<double>(most_steps);
+  const double predicted = prediction.limit();
+  double width = width_to_see(prediction, most), low = predicted / seen_above, high = predicted * width;
+  const double contact_times = std::max(
+      least_contact_times, std::min(steps_to_see(prediction, width), most) * high / contact_time_of(scene));
   int runs = 0;
   const auto stable = [&](double step) {
     ++runs;
     return stays_bounded(engine, start, step, contact_times);
   };
-  const double predicted = prediction.limit();
-  double width = seen_above, low = predicted / width, high = predicted * width;
   const auto widen = [&] {
-    if ((width *= width) > 16.0) throw EngineFailed("no limit within a factor of 16 of the predicted one");
+    if ((width *= width) > farthest)
+      throw EngineFailed("no limit within a factor of 16 of the predicted one");
     return width;
   };
   if (stable(low)) {
