@@ -93,9 +93,9 @@ double steps_to_see(const Prediction& prediction, double width) {
 /// Half a percent above the predicted limit, or more where the motion that grows there would take far longer
 /// than `most_steps` to be seen.
 double width_to_see(const Prediction& prediction, double most_steps) {
-  double width = seen_above;
-  while (steps_to_see(prediction, width) > patience * most_steps && width * width < farthest) width *= width;
-  return width;
+  double above = seen_above - 1.0;
+  while (steps_to_see(prediction, 1.0 + above) > patience * most_steps && 1.0 + above < farthest) above *= 1.5;
+  return 1.0 + above;
 }
 
 analytic::Prestress prestress_of(const Scene& scene) {
