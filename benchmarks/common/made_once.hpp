@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <exception>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -16,7 +17,13 @@ class MadeOnce {
   const Value& get(const Key& key, const Make& make) {
     Entry& entry = entry_of(key);
     const std::lock_guard lock(entry.mutex);
-    if (!entry.value) entry.value.emplace(make());
+    if (entry.failure) std::rethrow_exception(entry.failure);
+    try {
+      if (!entry.value) entry.value.emplace(make());
+    } catch (...) {
+      entry.failure = std::current_exception();
+      throw;
+    }
     return *entry.value;
   }
 
@@ -24,6 +31,7 @@ class MadeOnce {
   struct Entry {
     std::mutex mutex;
     std::optional<Value> value;
+    std::exception_ptr failure;
   };
 
   Entry& entry_of(const Key& key) {

@@ -8,7 +8,9 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 
+#include "benchmarks/common/made_once.hpp"
 #include "comparisons/peers/process.hpp"
 
 namespace grainproof::bench {
@@ -91,6 +93,17 @@ TEST(KeptRows, TriesAgainWhatFailedAndWhatIsNoNumber) {
   const KeptRows second(file, "one");
   ASSERT_EQ(second.found().size(), 1u);
   EXPECT_EQ(second.found().at("good").values.at("limit"), 0.1);
+}
+
+TEST(MadeOnce, MakesAndFailsOnce) {
+  MadeOnce<int, int> squares;
+  int tried = 0;
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_EQ(squares.get(3, [&] { return ++tried, 9; }), 9);
+    EXPECT_THROW(squares.get(4, [&]() -> int { throw std::runtime_error(std::to_string(++tried)); }),
+                 std::runtime_error);
+  }
+  EXPECT_EQ(tried, 2);
 }
 
 }  // namespace
