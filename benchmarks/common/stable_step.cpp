@@ -23,14 +23,10 @@ struct Finesse {
 };
 
 /// Single and mixed precision have to move a body by more than a quantum of its positions, unless the motion
-/// grows anyway; with friction they need not, and the Coulomb limit is near: where bodies slip, a motion that
-/// changes its sign every step grows no further, and what of it is seen at boundaries is a share
-/// (1 + eigenvalue)/2 of its speed, a hundredth just above the limit. On a wall so little is lost in
-/// rounding.
+/// grows anyway; with friction they need not, and the Coulomb limit is near.
 Finesse finesse_of(const SteppingEngine& engine, const Scene& scene) {
   if (engine.provenance().precision == "double") return {1e-7, 1e-10, 13.0, 20.0};
-  const double with_friction = scene.walls.empty() ? 1e-6 : 3e-6;
-  return {scene.rotation ? with_friction : 1e-4, 1e-7, 11.0, 14.5};
+  return {scene.rotation ? 1e-5 : 1e-4, 1e-7, 11.0, 14.5};
 }
 
 constexpr double bound = 1e4;  // of the kinetic energy
