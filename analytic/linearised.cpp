@@ -28,6 +28,16 @@ struct Touch {
   const ContactLaws* laws;
 };
 
+/// Adds `factor` times the product of a row with itself. A contact moves two bodies, and all else of its row
+/// is zero.
+void add_square(MatrixXd& matrix, double factor, const VectorXd& row) {
+  std::vector<Index> moved;
+  for (Index i = 0; i < row.size(); ++i)
+    if (row[i] != 0.0) moved.push_back(i);
+  for (const Index i : moved)
+    for (const Index j : moved) matrix(i, j) += factor * row[i] * row[j];
+}
+
 class Assembly {
  public:
   Assembly(const Scene& scene, Prestress prestress, const StepOf& step)
@@ -128,13 +138,13 @@ class Assembly {
     }
     const double eta = analytic::damping(*normal, touch.mass);
     const VectorXd along = relative(touch, touch.normal, {0.0, 0.0});
-    stiffness_ += stiffness * along * along.transpose();
-    damping_ += refined(eta, normal->stiffness, touch.mass) * along * along.transpose();
+    add_square(stiffness_, stiffness, along);
+    add_square(damping_, refined(eta, normal->stiffness, touch.mass), along);
     const Vec3 one = touch.normal.unitOrthogonal(), other = touch.normal.cross(one);
     for (const Vec3& direction : {one, other}) {
       if (prestress_ == Prestress::kept) {
         const VectorXd across = relative(touch, direction, {0.0, 0.0});
-        stiffness_ -= force / touch.distance * across * across.transpose();
+        add_square(stiffness_, -force / touch.distance, across);
       }
       add_friction(touch, direction, eta);
     }
@@ -178,11 +188,11 @@ class Assembly {
     const VectorXd slip = relative(touch, direction, {arm(touch.first), arm(touch.second)});
     const double mass = 1.0 / slip.dot(mass_.cwiseInverse().cwiseProduct(slip));
     if (!spring) {
-      damping_ += refined(creep_rate(touch, eta), 0.0, mass) * slip * slip.transpose();
+      add_square(damping_, refined(creep_rate(touch, eta), 0.0, mass), slip);
       return;
     }
-    remembered_ += spring->stiffness * slip * slip.transpose();
-    damping_ += refined(spring->damping_ratio * eta, spring->stiffness, mass) * slip * slip.transpose();
+    add_square(remembered_, spring->stiffness, slip);
+    add_square(damping_, refined(spring->damping_ratio * eta, spring->stiffness, mass), slip);
   }
 
   const Scene& scene_;

@@ -43,9 +43,55 @@ double spectral_limit(const LinearScheme& scheme, const std::vector<LinearSystem
   return spectral_limit(scheme, constant, undamped_limit(parts));
 }
 
+namespace {
+
+bool is_positive(const Eigen::MatrixXd& symmetric) {
+  return symmetric.llt().info() == Eigen::Success;
+}
+
+/// (stability.3) with matrices for numbers, and (stability.12) for the scheme that weakens dashpots by
+/// themselves.
+bool keeps_flip_condition(const LinearScheme& scheme, const LinearSystem& of, double h) {
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(of.size(), of.size());
+  if (scheme.weakens == Weakening::by_itself)
+    return is_positive(4.0 * one - h * h * (of.stiffness + of.remembered)) &&
+           is_positive(2.0 * one - h * (of.damping + of.drag));
+  const FlipCondition& flip = scheme.flip;
+  return is_positive(4.0 * one - h * h * (flip.stiffness * of.stiffness + flip.remembered * of.remembered) -
+                     h * flip.damping * (of.damping + flip.drag * of.drag));
+}
+
+/// Mostly the limit itself, from Cholesky's decomposition alone, but a guess: motions may give way in another
+/// manner before. 0 where there is none.
+double flip_guess(const LinearScheme& scheme, const std::function<std::vector<LinearSystem>(double h)>& parts,
+                  double scale) {
+  const auto kept = [&](double h) {
+    const std::vector<LinearSystem> systems = parts(h);
+    return std::ranges::all_of(systems, [&](const LinearSystem& part) {
+      return part.size() == 0 || keeps_flip_condition(scheme, part, h);
+    });
+  };
+  double low = 0.0, high = 2.0 * scale;
+  while (kept(high)) {
+    if (high > as_good_as_infinite * scale) return 0.0;
+    low = high;
+    high *= 2.0;
+  }
+  while (high - low > 0.1 * tolerance * high) {
+    const double middle = 0.5 * (low + high);
+    (kept(middle) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
 double spectral_limit(const LinearScheme& scheme,
                       const std::function<std::vector<LinearSystem>(double h)>& parts, double scale) {
   const auto stable = [&](double h) { return growth_a_step(scheme, parts(h), h) <= 1.0 + round_off; };
+  if (const double guess = scheme.composed ? 0.0 : flip_guess(scheme, parts, scale);
+      guess > 0.0 && stable((1.0 - 0.5 * tolerance) * guess) && !stable((1.0 + 0.5 * tolerance) * guess))
+    return guess;
   double low = 1.01 * scale, high = low;
   for (int n = 0; !stable(low); ++n) {
     if (n == halvings_to_zero) return 0.0;

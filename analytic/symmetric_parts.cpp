@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,6 +12,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
 using Permutation = std::vector<std::size_t>;
 
@@ -42,12 +44,12 @@ std::optional<Permutation> half_box(const Scene& scene, int axis) {
 }
 
 /// Motions in which the bodies of every orbit move alike, with the signs of one character of the group.
-MatrixXd basis_of(const std::vector<Permutation>& moves, unsigned character, std::size_t particles,
-                  Index coordinates) {
+SparseMatrix basis_of(const std::vector<Permutation>& moves, unsigned character, std::size_t particles,
+                      Index coordinates) {
   const std::size_t members = std::size_t{1} << moves.size();
   const double size = 1.0 / std::sqrt(static_cast<double>(members));
-  MatrixXd basis = MatrixXd::Zero(static_cast<Index>(particles) * coordinates,
-                                  static_cast<Index>(particles / members) * coordinates);
+  SparseMatrix basis(static_cast<Index>(particles) * coordinates,
+                     static_cast<Index>(particles / members) * coordinates);
   std::vector<bool> seen(particles, false);
   Index column = 0;
   for (std::size_t start = 0; start < particles; ++start) {
@@ -62,11 +64,17 @@ MatrixXd basis_of(const std::vector<Permutation>& moves, unsigned character, std
       }
       seen[body] = true;
       for (Index i = 0; i < coordinates; ++i)
-        basis(static_cast<Index>(body) * coordinates + i, column + i) = sign;
+        basis.insert(static_cast<Index>(body) * coordinates + i, column + i) = sign;
     }
     column += coordinates;
   }
   return basis;
+}
+
+LinearSystem in_basis(const LinearSystem& system, const SparseMatrix& basis) {
+  const SparseMatrix across = basis.transpose();
+  const auto of = [&](const MatrixXd& matrix) -> MatrixXd { return across * MatrixXd(matrix * basis); };
+  return {of(system.stiffness), of(system.remembered), of(system.damping), of(system.drag)};
 }
 
 }  // namespace
@@ -78,7 +86,7 @@ std::vector<LinearSystem> symmetric_parts(const Scene& scene, const LinearSystem
   std::vector<LinearSystem> parts;
   for (unsigned character = 0; character < 1U << moves.size(); ++character)
     parts.push_back(
-        projected(system, basis_of(moves, character, scene.particles.size(), scene.rotation ? 6 : 3)));
+        in_basis(system, basis_of(moves, character, scene.particles.size(), scene.rotation ? 6 : 3)));
   return parts;
 }
 

@@ -22,6 +22,7 @@ struct BenchOptions {
   std::int64_t most = 0;        ///< of the largest; 0 takes what memory and time allow
   int rounds = 0;               ///< measurements of each subject; 0 takes the usual number
   double seconds = 0.0;         ///< that one measurement lasts; 0 takes the usual time
+  int threads = 0;              ///< rows of `stability` that are measured at once; 0 takes a core each
 };
 
 /// Runs benchmark suites. Returns an ExitCode.

@@ -97,6 +97,7 @@ void measure_stability(BenchSession& session) {
                .what = "largest stable steps",
                .scenes = arrangements_within(session.options()),
                .engines = session.engines(),
+               .threads = session.options().threads,
                .rounds = 1});
   std::vector<json> rows;
   for (const json& row : rows_of(session.all()))

@@ -160,6 +160,10 @@ void add_bench(CLI::App& program, Command& chosen) {
   command->add_option("--most", options->most, "Particles of the largest scene")->type_name("N");
   command->add_option("--rounds", options->rounds, "Measurements of each subject")->type_name("N");
   command->add_option("--seconds", options->seconds, "How long one measurement lasts")->type_name("S");
+  command
+      ->add_option("--threads", options->threads, "Rows of stability measured at once (default: a core each)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
   command->add_option("--engines", options->engines, "Of ours: reference, opencl, opencl:single …")
       ->delimiter(',')
       ->allow_extra_args(false)

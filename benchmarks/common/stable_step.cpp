@@ -32,8 +32,13 @@ Finesse finesse_of(const SteppingEngine& engine, const Scene& scene) {
 constexpr double bound = 1e4;  // of the kinetic energy
 constexpr double least_contact_times = 200.0;
 constexpr double seen_above = 1.005;  // of the predicted limit
-constexpr double fineness = 1e-3;     // of the step found
-constexpr int blocks = 64;            // in which a run is looked at
+constexpr double farthest = 16.0;     // from it that a limit is looked for, as a factor
+constexpr double patience = 2.0;      // of the most steps, that a growth may ask for and still be waited for
+constexpr double fineness = 2.5e-3;   // of a step that is not where it was predicted
+constexpr int blocks = 64;            // after which a run that has grown ends
+/// In each: what grows until it slips changes its sign every step from then on, and at a boundary, between
+/// two signs, nothing is left to be seen of it.
+constexpr int looks_a_block = 8;
 
 double mass_of(const Scene& scene, const Particle& particle) {
   return scene.materials[particle.material].density * std::numbers::pi / 6.0 * std::pow(particle.diameter, 3);
@@ -51,31 +56,44 @@ double kinetic_energy(const Scene& scene, const Frame& frame) {
   return energy;
 }
 
+/// Of the steps after step `done`, `every` so many: written down by a device on its way.
+std::vector<Frame> next_frames(Run& run, std::int64_t done, std::int64_t count, std::int64_t every) {
+  std::vector<std::int64_t> steps;
+  for (std::int64_t n = 1; n <= count; ++n) steps.push_back(done + n * every);
+  std::vector<Frame> frames;
+  run.record(steps, frames);
+  return frames;
+}
+
 bool stays_bounded(SteppingEngine& engine, Scene scene, double step, double contact_times) {
   scene.run.step = step;
   const auto steps = static_cast<std::int64_t>(std::ceil(contact_times * contact_time_of(scene) / step));
-  const std::int64_t block = std::max<std::int64_t>(8, steps / blocks);
+  const std::int64_t every = std::max<std::int64_t>(1, steps / (blocks * looks_a_block));
   try {
     const auto run = engine.start(scene, {});
     const double start = kinetic_energy(scene, run->frame());
-    for (std::int64_t done = 0; done < steps; done += block) {
-      run->advance(block);
-      run->synchronise();
-      if (!(kinetic_energy(scene, run->frame()) <= bound * start)) return false;
-    }
+    for (std::int64_t done = 0; done < steps; done += looks_a_block * every)
+      for (const Frame& frame : next_frames(*run, done, looks_a_block, every))
+        if (!(kinetic_energy(scene, frame) <= bound * start)) return false;
   } catch (const RunWentWrong&) {
     return false;
   }
   return true;
 }
 
-/// How long a run must be to see what grows at half a percent above the prediction.
-double contact_times_for(const Prediction& prediction, double contact_time, std::int64_t most_steps) {
-  const double step = seen_above * prediction.limit();
-  const double a_step = std::log(prediction.growth(step));
-  const double most = static_cast<double>(most_steps) * step / contact_time;
-  const double wanted = a_step > 0.0 ? 1.3 * 0.5 * std::log(bound) / a_step * step / contact_time : most;
-  return std::max(least_contact_times, std::min(wanted, most));
+/// How long a run must be to see what grows at `width` times the predicted limit, in steps.
+double steps_to_see(const Prediction& prediction, double width) {
+  const double a_step = std::log(prediction.growth(width * prediction.limit()));
+  return a_step > 0.0 ? 1.3 * 0.5 * std::log(bound) / a_step : std::numeric_limits<double>::infinity();
+}
+
+/// Half a percent above the predicted limit, or more where the motion that grows there would take far longer
+/// than `most_steps` to be seen.
+double width_to_see(const Prediction& prediction, double most_steps) {
+  double above = seen_above - 1.0;
+  while (steps_to_see(prediction, 1.0 + above) > patience * most_steps && 1.0 + above < farthest)
+    above *= 1.5;
+  return 1.0 + above;
 }
 
 analytic::Prestress prestress_of(const Scene& scene) {
@@ -134,19 +152,26 @@ Scene perturbed(const Scene& scene, double size) {
   return moved;
 }
 
+double MeasuredLimit::farthest_from(double predicted) const {
+  return std::max(std::abs(stable / predicted - 1.0), std::abs(unstable / predicted - 1.0));
+}
+
 MeasuredLimit measured_limit(SteppingEngine& engine, const Scene& scene, const Prediction& prediction,
                              std::int64_t most_steps) {
   const Scene start = perturbed(scene, finesse_of(engine, scene).share * least_slack(scene));
-  const double contact_times = contact_times_for(prediction, contact_time_of(scene), most_steps);
+  const auto most = static_cast<double>(most_steps);
+  const double predicted = prediction.limit();
+  double width = width_to_see(prediction, most), low = predicted / seen_above, high = predicted * width;
+  const double contact_times = std::max(
+      least_contact_times, std::min(steps_to_see(prediction, width), most) * high / contact_time_of(scene));
   int runs = 0;
   const auto stable = [&](double step) {
     ++runs;
     return stays_bounded(engine, start, step, contact_times);
   };
-  const double predicted = prediction.limit();
-  double width = 1.01, low = predicted / width, high = predicted * width;
   const auto widen = [&] {
-    if ((width *= width) > 16.0) throw EngineFailed("no limit within a factor of 16 of the predicted one");
+    if ((width *= width) > farthest)
+      throw EngineFailed("no limit within a factor of 16 of the predicted one");
     return width;
   };
   if (stable(low)) {
@@ -157,11 +182,12 @@ MeasuredLimit measured_limit(SteppingEngine& engine, const Scene& scene, const P
       low = predicted / widen();
     } while (!stable(low));
   }
-  while (high - low > fineness * low) {
+  const bool as_predicted = low < predicted && predicted < high;
+  while (!as_predicted && high - low > fineness * low) {
     const double middle = 0.5 * (low + high);
     (stable(middle) ? low : high) = middle;
   }
-  return {0.5 * (low + high), contact_times, runs};
+  return {low, high, contact_times, runs};
 }
 
 double measured_growth(SteppingEngine& engine, const Scene& scene, double step, double predicted_growth) {
@@ -178,10 +204,8 @@ double measured_growth(SteppingEngine& engine, const Scene& scene, double step, 
   for (std::int64_t done = 0; done < most;) {
     double peak = 0.0;
     std::int64_t at = done;
-    for (std::int64_t n = 0; n < window; ++n) {
-      run->advance(1);
-      run->synchronise();
-      const double energy = kinetic_energy(start, run->frame());
+    for (const Frame& frame : next_frames(*run, done, window, 1)) {
+      const double energy = kinetic_energy(start, frame);
       ++done;
       if (energy > peak) {
         peak = energy;

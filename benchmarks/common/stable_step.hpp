@@ -35,15 +35,20 @@ class Prediction {
 Scene perturbed(const Scene& scene, double size);
 
 struct MeasuredLimit {
-  double step;           ///< s
-  double contact_times;  ///< that a run had to stay bounded for
+  double stable, unstable;  ///< s: the largest step that was found stable, the smallest that was not
+  double contact_times;     ///< that a run had to stay bounded for
   int runs;
+
+  double step() const { return 0.5 * (stable + unstable); }
+  /// How far the farther of both is from a predicted limit, as a share of it.
+  double farthest_from(double predicted) const;
 };
 
-/// By bisection. A run is stable where its kinetic energy never exceeds 10⁴ times what it started with; it
-/// lasts 200 contact times, and longer where half a percent above the predicted limit needs longer to be
-/// seen, up to `most_steps`. Throws EngineFailed where the engine gives no limit within a factor of 16 of the
-/// predicted one.
+/// A run is stable where its kinetic energy never exceeds 10⁴ times what it started with; it lasts 200
+/// contact times, and longer where half a percent above the predicted limit needs longer to be seen, up to
+/// `most_steps`. Half a percent to either side of the prediction are tried first, and that is all where the
+/// limit is between them; else it is searched for. Throws EngineFailed where the engine gives no limit within
+/// a factor of 16 of the predicted one.
 MeasuredLimit measured_limit(SteppingEngine& engine, const Scene& scene, const Prediction& prediction,
                              std::int64_t most_steps);
 
