@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Grainproof authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Roots, inverse ones and quotients of which the last bit may be wrong. AVX-512 estimates them to 2^-14, which one step of
-// Newton's takes to the precision of floats, in a third of the time of its exact instructions. One particle a work-item
-// takes the same estimates, so that it gets the same bits.
+// Newton's takes to the precision of floats. One particle a work-item takes the same estimates, so that it gets the same
+// bits.
 #if defined(__clang__) && defined(__AVX512F__) && PHASE_BITS == 32
 #define ESTIMATED 1
 #else
